@@ -26,7 +26,10 @@ DeliveryEvent Delivery::release(glm::dvec3 const& position, glm::dvec3 const& ve
     if (!parcelAboard()) return DeliveryEvent::none;
     parcel_ = Parcel{position, velocity, 0.0, 0.0};
     before_ = *parcel_;
-    drops_.push_back({.t = t, .releaseWorld = position});
+    Drop drop;
+    drop.t = t;
+    drop.releaseWorld = position;
+    drops_.push_back(drop);
     return DeliveryEvent::released;
 }
 
