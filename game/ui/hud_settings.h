@@ -1,0 +1,16 @@
+// How the player wants the instruments.
+#pragma once
+#include <tuple>
+
+#include "engine/core/settings.h"
+
+namespace luftpost::ui {
+struct HudSettings {
+    bool visible = true;
+    float scale = 1.0f;  // times height of the window / 720
+};
+
+inline constexpr std::tuple hudFields{
+    core::Field{&HudSettings::visible, "hud.visible", "Instruments and navigation bar are shown"},
+    core::Field{&HudSettings::scale, "hud.scale", 0.5f, 2.0f, "Size of instruments and menus"}};
+}  // namespace luftpost::ui

@@ -1,0 +1,57 @@
+// The menus: config (F1), pause (Esc), keys (H). Each draws from plain data and answers with what the player asked for;
+// nothing is applied here. Main thread, between ScreenFrame::begin and end.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/settings.h"
+
+namespace luftpost::ui {
+/// A changed setting: the new value, of the setting's type and within its range.
+struct SettingChange {
+    std::string key;
+    core::SettingValue value;
+};
+
+/// Weather and time of day as the menu offers them.
+struct MenuWeather {
+    struct Source {
+        std::string source;  // "recorded:FILE" or "preset:NAME": what --weather takes
+        std::string label;   // "Basel, 21-23 June 2023 (recorded)"
+    };
+    std::vector<Source> sources;
+    std::string current;         // the source in use
+    double utc = 0.0;            // now
+    double start = 0.0;          // of the recording; equal to end for a preset, which offers its whole day
+    double end = 0.0;
+};
+
+/// What the player did in the config menu this frame.
+struct ConfigAnswer {
+    std::vector<SettingChange> changes;
+    std::optional<std::string> source;  // take this weather
+    std::optional<double> utc;          // set the clock
+    bool close = false;                 // the cross
+};
+
+/// The config menu at the right of the screen: flight goes on beside it. Pages are the groups of the keys ("clouds.hg"
+/// belongs to "clouds"); which one is open is kept by Dear ImGui.
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather);
+
+enum class PauseChoice { none, resume, config, keys, restart, quit };
+/// The pause menu in the middle of the screen.
+PauseChoice drawPauseMenu();
+
+/// One row of the key help: what the key does and its caps in the layout (and on the gamepad) in hand.
+struct KeyHelp {
+    std::string group;    // "Flight", "View", "Game"
+    std::string caps;     // "A D"
+    std::string gamepad;  // "left stick"; empty: none
+    std::string action;   // "roll"
+};
+/// The keys page. True when its cross was clicked.
+bool drawKeysPage(std::span<KeyHelp const> rows);
+}  // namespace luftpost::ui
