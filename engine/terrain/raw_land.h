@@ -78,10 +78,10 @@ LUFTPOST_LANE Dual noise(double east, double north, float wavelength, std::uint3
     return {kScale * value, de * perMetre, dn * perMetre};
 }
 
-/// cos and sin of 2 pi t by polynomials, t in turns of any size below 2^20: good to 1e-4.
+/// cos and sin of 2 pi t by polynomials, t in turns of size below 1000: good to 1e-4.
 LUFTPOST_LANE void cosSinTurns(float t, float& c, float& s) {
-    float const shifted = t + 1048576.0f + 0.5f;
-    float const whole = static_cast<float>(static_cast<int>(shifted)) - 1048576.0f;
+    float const shifted = t + 1024.0f + 0.5f;
+    float const whole = static_cast<float>(static_cast<int>(shifted)) - 1024.0f;
     float const x = t - whole;  // -0.5..0.5 of a turn
     float const q = x * x;
     // sin(2 pi x) = x (1 - 4 x^2) p(x^2), exact at 0 and +-1/2; cos(2 pi x) = 1 - 2 sin^2(pi x).
@@ -94,7 +94,8 @@ LUFTPOST_LANE void cosSinTurns(float t, float& c, float& s) {
 /// between cells by weight and brought back to full depth by the length of the blended wave. -1 in the groove, 1 on the
 /// spur; derivatives per metre, as if the direction did not change.
 LUFTPOST_LANE Dual gullies(double east, double north, float spacing, float sideE, float sideN, std::uint32_t seed) {
-    double const cell = static_cast<double>(spacing) * 1.25;
+    constexpr double kCell = 1.25;  // cells this wide, in spacings
+    double const cell = static_cast<double>(spacing) * kCell;
     double const x = east / cell, y = north / cell;
     int const i = floorOf(x), j = floorOf(y);
     float const fx = static_cast<float>(x - i), fy = static_cast<float>(y - j);
@@ -109,11 +110,11 @@ LUFTPOST_LANE Dual gullies(double east, double north, float spacing, float sideE
         float const positive = near > 0.0f ? near : 0.0f;
         float const weight = positive * positive * positive;
         float c, s;
-        cosSinTurns(1.25f * (dx * sideE + dy * sideN) + 0.5f * low(h * 0x9e3779b1u), c, s);
+        cosSinTurns(static_cast<float>(kCell) * (dx * sideE + dy * sideN), c, s);
         cosSum += weight * c;
         sinSum += weight * s;
     }
-    float const length = root(cosSum * cosSum + sinSum * sinSum + 0.003f);
+    float const length = root(cosSum * cosSum + sinSum * sinSum + 0.03f);
     float const slope = -6.2831853f / spacing * sinSum / length;
     return {cosSum / length, slope * sideE, slope * sideN};
 }
@@ -156,20 +157,21 @@ LUFTPOST_LANE float height(double east, double north, std::uint32_t seed) {
     // d/dx of f(x + w(x)): the transposed Jacobian of the bent map.
     float const slopeE = q.e * (1.0f + w1.e) + q.n * w2.e, slopeN = q.e * w1.n + q.n * (1.0f + w2.n);
 
-    // Gullies down the slope, three sizes, each following the slope the larger ones left.
+    // Gullies down the slope, three sizes, each following the slope the larger ones left. On gentle slopes they widen
+    // (the 0.1) and vanish, so that no groove turns sharply where the slope turns over at a crest.
     float total = q.v, gE = slopeE, gN = slopeN;
     auto const erode = [&](float spacing, float depth, std::uint32_t salt) __attribute__((always_inline)) {
         float const steep = root(gE * gE + gN * gN + 1e-6f);
-        float const share = clamp01(steep * 2.8f + 0.03f);
+        float const share = clamp01(steep * 2.8f - 0.06f);
         float const amplitude = depth * spacing * share * share * (3.0f - 2.0f * share);
-        Dual const g = gullies(east, north, spacing, -gN / steep, gE / steep, seed + salt);
+        Dual const g = gullies(east, north, spacing, -gN / (steep + 0.1f), gE / (steep + 0.1f), seed + salt);
         total += amplitude * (g.v - 0.35f);
         gE += amplitude * g.e;
         gN += amplitude * g.n;
     };
     erode(1250.0f, 0.060f, 20u);
     erode(560.0f, 0.044f, 21u);
-    erode(250.0f, 0.024f, 22u);
+    erode(250.0f, 0.0f, 22u);
 
     float const small = 4.2f * noise(east, north, 430.0f, seed + 23u).v + 1.3f * noise(east, north, 190.0f, seed + 24u).v +
                         0.34f * noise(east, north, 83.0f, seed + 25u).v;

@@ -95,36 +95,37 @@ TEST(Land, HasPlainsRangesAndLakes) {
     EXPECT_GT(high, all / 100);
 }
 
-TEST(Land, IsSmoothEnoughForItsMeshes) {
-    // Linear interpolation between vertices 12 m apart stays within 0.1 m nearly everywhere, also far out.
-    int bad = 0, all = 0;
+TEST(Land, IsSmoothEnoughForItsMeshesWhereOneCanLand) {
+    // On slopes below 10 degrees linear interpolation over 12 m stays within 0.1 m, but for one point in 200 (crests).
+    int bad = 0, gentle = 0;
     for (double origin : {0.0, 1.0e6, 1.0e7}) {
         Land const land{1, 316.0};
         for (int i = 0; i < 4000; ++i) {
             double const east = origin + (i % 63) * 1713.0, north = (i / 63) * 1517.0;
-            double const middle = 0.5 * (land.height(east - 6.0, north) + land.height(east + 6.0, north));
-            bad += std::abs(middle - land.height(east, north)) > 0.1;
-            ++all;
+            double const left = land.height(east - 6.0, north), right = land.height(east + 6.0, north);
+            if (land.ground(east, north).normalWorld.y < std::cos(core::radians(10.0))) continue;
+            ++gentle;
+            bad += std::abs(0.5 * (left + right) - land.height(east, north)) > 0.1;
         }
     }
-    EXPECT_LT(bad, all / 100);
+    EXPECT_GT(gentle, 6000);
+    EXPECT_LT(bad, gentle / 200);
 }
 
 TEST(Land, HasNoStepsAnywhere) {
+    // The steepest crag climbs 4 m a metre; a step would show as more than that over a centimetre.
     for (double origin : {0.0, 3.0e6, -1.0e7}) {
         Land const land{2, 113.0};
-        double last = land.height(origin, 777.0);
         for (int i = 1; i < 20000; ++i) {
-            double const next = land.height(origin + i * 2.0, 777.0);
-            ASSERT_LT(std::abs(next - last), 2.0 * 2.2) << origin + i * 2.0;
-            last = next;
+            double const east = origin + i * 29.3;
+            ASSERT_LT(std::abs(land.height(east + 0.01, 777.0) - land.height(east, 777.0)), 0.05) << east;
         }
     }
 }
 
 TEST(Land, NormalsStandOnTheSlope) {
     Land const land{1, 316.0};
-    double const h = 5.0;
+    double const h = 2.0;
     for (int i = 0; i < 300; ++i) {
         double const east = 40000.0 + i * 331.0, north = 9000.0 + i * 77.0;
         core::GroundSample const ground = land.ground(east, north);
