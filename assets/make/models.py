@@ -57,9 +57,10 @@ waist = curve([(2.14, -0.02), (1.08, -0.06), (0.3, 0.04), (-1.2, 0.06), (-3.5, 0
 squareness = curve([(2.14, 2.2), (1.5, 2.6), (0.6, 3.6), (-1.0, 3.6), (-2.4, 2.8), (TAIL, 2.2)])
 sill = curve([(2.14, 0.5), (1.07, 0.90), (0.92, 0.55), (0.66, 0.33), (0.40, 0.27), (-1.2, 0.27), (-1.4, 0.40), (-1.75, 0.62), (TAIL, 0.6)])
 
-LOWER = [-90, -76, -62, -48, -34, -20, -8]  # degrees around the lower half, then fractions of the way over the sill
+LOWER = [-90, -76, -62, -48, -34, -20, -8]  # degrees around the lower half,
+MIDDLE = [0.14, 0.40, 0.72]                   # then fractions of the way up to the sill, then from there to the roof
 UPPER = [0.0, 0.12, 0.32, 0.54, 0.74, 0.86, 0.93, 0.97, 1.0]
-SILL = len(LOWER)  # index of the sill's point
+SILL = len(LOWER) + len(MIDDLE)  # index of the sill's point
 ROOF_EDGE = SILL + 4
 # Stations along the fuselage and how far the window posts lean (m at the roof, toward the tail is negative).
 STATIONS = [(2.14, 0), (2.12, 0), (2.08, 0), (2.0, 0), (1.88, 0), (1.72, 0), (1.5, 0), (1.28, 0), (1.08, 0), (1.06, 0),
@@ -75,15 +76,16 @@ def fuselage_ring(x, lean, inset=0.0):
     """Right half from keel to roof, then the left half back: a closed ring."""
     right = []
     n = squareness(x)
-    for k in range(len(LOWER) + len(UPPER)):
+    for k in range(SILL + len(UPPER)):
         if k < len(LOWER):
             angle = math.radians(LOWER[k])
             down, out = abs(math.sin(angle)) ** (2 / n), abs(math.cos(angle)) ** (2 / n)
             y, z = waist(x) - down * (waist(x) - keel(x)), half(x) * out
             px = x
         else:
-            f = lerp(sill(x), 1.0, UPPER[k - len(LOWER)])
-            px = x + lean * UPPER[k - len(LOWER)]
+            over = UPPER[k - SILL] if k >= SILL else 0.0
+            f = lerp(sill(x), 1.0, over) if k >= SILL else sill(x) * MIDDLE[k - len(LOWER)]
+            px = x + lean * over
             y = waist(px) + f * (roof(px) - waist(px))
             z = half(px) * max(0.0, 1 - f ** n) ** (1 / n) * (1 - 0.06 * f)
         right.append((px, y - inset * (1 if y > 0 else -1) * 0.5, max(0.0, z - inset if k not in (0,) else 0.0)))
@@ -95,7 +97,7 @@ def fuselage_ring(x, lean, inset=0.0):
 
 def fuselage_material(i, j):
     """skin, glass, trim of the quad between stations i, i+1 and ring points j, j+1."""
-    count = len(LOWER) + len(UPPER)
+    count = SILL + len(UPPER)
     k = j if j < count - 1 else 2 * (count - 1) - 1 - j  # as on the right side
     front, back = STATIONS[i][0], STATIONS[i + 1][0]
 
@@ -113,7 +115,7 @@ def fuselage_material(i, j):
 
 def fuselage():
     rows = [fuselage_ring(x, lean) for x, lean in STATIONS]
-    count = len(LOWER) + len(UPPER)
+    count = SILL + len(UPPER)
     uv = lambda p, i, j: livery.side_uv(p, right=j < count - 1)
     skin, glass = Mesh(), Mesh()
     pick = lambda wanted: lambda i, j: fuselage_material(i, j) if (fuselage_material(i, j) == "glass") == wanted else None
@@ -460,11 +462,13 @@ def plate(mesh, x, corners, material):
 def cockpit():
     mesh = Mesh()
     x = 0.80
-    outline = [(x, 0.33 - 0.14 * (abs(z) / 0.47) ** 3, z) for z in [0.47 - 0.094 * k for k in range(11)]]
+    edge = sorted((p[2], p[1]) for p in fuselage_ring(1.085, 0.0)[len(LOWER):SILL + len(UPPER)])
+    rim = lambda z: curve(edge)(abs(z))  # the cowling's top edge under the windscreen
+    outline = [(x, 0.335 - 0.085 * (abs(z) / 0.47) ** 3, z) for z in [0.47 - 0.094 * k for k in range(11)]]
     ring = outline + [(x, -0.12, -0.48), (x, -0.12, 0.48)]
     mesh.fan(ring, "panel", (-1.0, 0.0, 0.0))
     shield = [[(x - 0.06, p[1] + 0.012, p[2]) for p in outline], [(x + 0.10, p[1] + 0.035, p[2]) for p in outline],
-              [(1.07, 0.372 - 0.20 * (abs(p[2]) / 0.47) ** 2.4, p[2] * 0.97) for p in outline]]
+              [(1.085, rim(1.06 * p[2]) + 0.002, 1.06 * p[2]) for p in outline]]
     glare = Mesh()
     glare.grid(shield, "glare", inward=False)
     if next(iter(glare.parts.values()))[0][0][1][1] < 0:
@@ -473,7 +477,7 @@ def cockpit():
     mesh.quad([(x - 0.06, p[1] + 0.012 - d, p[2]) for p, d in ((outline[0], 0), (outline[0], 0.03), (outline[-1], 0.03), (outline[-1], 0))], "glare")
     for row, y in ((0, 0.215), (1, 0.085)):
         for k in range(3):
-            dial(mesh, y, -0.38 + 0.122 * k, 0.052, x, needle=0.7 + 1.7 * row - 1.1 * k)
+            dial(mesh, y - 0.012, -0.365 + 0.118 * k, 0.051, x, needle=0.7 + 1.7 * row - 1.1 * k)
     for k in range(2):
         dial(mesh, 0.20 - 0.115 * k, 0.03, 0.044, x, ticks=8, needle=1.0 + k)
     for k in range(3):
