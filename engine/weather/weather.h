@@ -38,5 +38,8 @@ struct Weather {
     Precipitation precipitation = Precipitation::None;
     double precipitationRate = 0.0;          // mm/h
     bool thunder = false;
+    double cape = 0.0;                       // J/kg
+    double freezingLevel = 3000.0;           // m above sea level
+    double snowDepth = 0.0;                  // m
 };
 }  // namespace luftpost::weather

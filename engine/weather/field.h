@@ -1,0 +1,102 @@
+// The weather field: the function (position, time) -> weather, made of reports by interpolation over hours and between
+// sites. Immutable after it is loaded; every function may be called from any thread and neither throws nor blocks.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/environment.h"
+#include "engine/core/frames.h"
+#include "engine/weather/recording.h"
+#include "engine/weather/weather.h"
+
+namespace luftpost::weather {
+/// The recording that a start without --weather plays, in the product's data (platform::dataFile), and its hour.
+inline constexpr std::string_view kDefaultRecording = "assets/weather/basel_2023-06-21_23.json";
+inline constexpr std::string_view kDefaultTime = "2023-06-23T18:40Z";
+
+/// What --place says: without an altitude the nearest site's elevation is taken.
+struct PlaceWish {
+    double lat_deg = 0.0;
+    double lon_deg = 0.0;
+    std::optional<double> altitude_m;
+};
+
+enum class SourceMode { Recorded, Preset };
+
+/// Where the weather comes from.
+struct Origin {
+    SourceMode mode = SourceMode::Preset;
+    std::string name;      // "Basel, 21-23 June 2023" or "preset calm"
+    std::string provider;  // "MeteoSwiss (open data)"; "Luftpost" for a preset
+    std::string licence;
+    std::string sha256;    // empty for a preset
+};
+
+/// One site's report as the field uses it: what was said, and by place what the field uses instead.
+struct FieldReport {
+    Report said;
+    Filled filled;
+};
+
+/// The vertical profile of the mean air over one point, at one time: all that the air needs between two ticks.
+struct Profile {
+    static constexpr int kMaxLevels = 48;
+    int levels = 0;                         // 0: wind from the surface alone
+    std::array<double, kMaxLevels> altitude{};     // m above sea level, ascending
+    std::array<glm::dvec2, kMaxLevels> wind{};     // m/s, east and north, where the air goes to
+    double siteElevation = 0.0;             // m above sea level, of the thermometer
+    bool southern = false;                  // the wind backs with height instead of veering
+};
+
+class Field {
+public:
+    ~Field();
+    Field(Field&&) noexcept;
+    Field& operator=(Field&&) noexcept;
+
+    /// The weather over a point. Outside the recording's time it holds the nearest end (the clouds go on drifting).
+    Weather at(double east, double north, core::UtcSeconds time) const;
+
+    core::UtcSeconds start() const;
+    core::UtcSeconds end() const;
+    bool covers(core::UtcSeconds time) const;  // false: at() holds the nearest end
+    core::Place place() const;                 // the origin of the world frame; its altitude is `land.base_m`
+    Origin const& origin() const;
+
+    /// Wind over the point at an altitude above sea level over ground of height `ground`: levels where the report has
+    /// them, else the surface wind by the power law and Ekman's veering. m/s, east and north.
+    glm::dvec2 windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const;
+    Profile profile(double east, double north, core::UtcSeconds time) const;
+
+    /// The wind of the boundary layer integrated from the recording's start: what carries turbulence and thermals. m.
+    glm::dvec2 boundaryDrift(core::UtcSeconds time) const;
+
+    /// Seconds between `time` and the newest report at or before it; 0 for a preset and before the first report.
+    double age(core::UtcSeconds time) const;
+    /// One line for HUD and menu: "Basel, 21-23 June 2023 · recorded · report 7 min old".
+    std::string strip(core::UtcSeconds time) const;
+
+    /// The recording that stands behind (a preset makes its own), and its reports with what was filled in.
+    Recording const& recording() const;
+    std::vector<std::vector<FieldReport>> const& reports() const;  // [site][report]
+    /// The field over a site, in the shape of a report.
+    FieldReport reportAt(std::size_t site, core::UtcSeconds time) const;
+
+private:
+    struct Data;
+    explicit Field(std::unique_ptr<Data const> data);
+    friend Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place);
+    std::unique_ptr<Data const> data_;
+};
+
+/// The field of a recording. Throws core::Error where the recording cannot carry one.
+Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place);
+
+/// SOURCE of the command line: FILE, recorded:FILE or preset:NAME (calm, clear, fair, broken, overcast, storm). Throws
+/// core::Error in one line: unknown preset, unreadable or broken file, `live` (not available in this version).
+Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place = {});
+}  // namespace luftpost::weather
