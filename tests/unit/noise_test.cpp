@@ -68,7 +68,7 @@ TEST(Noise, KeepsItsSpreadWhileItEvolves) {
                 squares += v * v;
             }
         EXPECT_NEAR(sum / (n * n), 0.0, 0.01);
-        EXPECT_NEAR(std::sqrt(squares / (n * n)), 0.233, 0.01);
+        EXPECT_NEAR(std::sqrt(squares / (n * n)), 0.216, 0.006);
     }
 }
 
