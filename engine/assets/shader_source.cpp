@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <optional>
 
 #include "engine/core/error.h"
@@ -26,6 +27,14 @@ std::optional<std::string_view> directive(std::string_view line, std::string_vie
     line.remove_prefix(name.size());
     if (!line.empty() && std::isalnum(static_cast<unsigned char>(line.front()))) return std::nullopt;
     return trimmed(line);
+}
+
+/// The name in the shaders folder: "../lib/x" and "./x" are relative to the file that includes.
+std::string fromShadersFolder(std::string_view name, std::string const& from) {
+    if (name.starts_with('.'))
+        return (std::filesystem::path{from}.parent_path() / name).lexically_normal().generic_string();
+    if (name.starts_with("shaders/")) name.remove_prefix(std::string_view{"shaders/"}.size());
+    return std::string{name};
 }
 
 class Resolver {
@@ -79,9 +88,7 @@ private:
         std::size_t const end = name.size() > 1 ? name.find('"', 1) : std::string_view::npos;
         if (!name.starts_with('"') || end == std::string_view::npos)
             throw core::Error{from, place, "expected #include \"FILE\""};
-        std::string_view relative = name.substr(1, end - 1);
-        if (relative.starts_with("shaders/")) relative.remove_prefix(std::string_view{"shaders/"}.size());
-        append(std::string{relative}, place);
+        append(fromShadersFolder(name.substr(1, end - 1), from), place);
     }
 
     void mark(int line, std::size_t id) { source_.text += fmt::format("#line {} {}\n", line, id); }

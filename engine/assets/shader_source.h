@@ -17,7 +17,7 @@ struct ShaderSource {
 using ReadShader = std::function<std::string(std::string const& relative)>;
 
 /// Resolves `#include "lib/x.glsl"` (relative to the shaders folder; "shaders/lib/x.glsl" means the same, for files
-/// that C++ includes as well) in `file`. A file is included once; a file that includes itself, however far round, is
+/// that C++ includes as well; "../lib/x.glsl" is relative to the file that includes) in `file`. A file is included once; a file that includes itself, however far round, is
 /// a core::Error that names the chain. `#pragma once` and `#include <...>` (C++'s) become empty lines. Each of
 /// `defines` ("NAME VALUE") becomes a #define after the #version line.
 ShaderSource resolveShader(std::string const& file, ReadShader const& read, std::span<std::string const> defines = {});

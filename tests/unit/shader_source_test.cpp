@@ -39,10 +39,10 @@ TEST(ShaderSource, PutsTheIncludedTextInPlaceWithLineMarks) {
     EXPECT_EQ(source.files, (std::vector<std::string>{"pass/a.frag", "lib/b.glsl"}));
 }
 
-TEST(ShaderSource, IncludesAFileOnceAndKnowsBothSpellings) {
-    auto const source = resolve({{"a", "#include \"lib/b.glsl\"\n#include \"shaders/lib/b.glsl\"\n"},
+TEST(ShaderSource, IncludesAFileOnceAndKnowsAllSpellings) {
+    auto const source = resolve({{"pass/a", "#include \"lib/b.glsl\"\n#include \"shaders/lib/b.glsl\"\n#include \"../lib/b.glsl\"\n"},
                                  {"lib/b.glsl", "#pragma once\n#include <cmath>\nfloat b;\n"}},
-                                "a");
+                                "pass/a");
     EXPECT_EQ(source.text.find("float b;"), source.text.rfind("float b;"));
     EXPECT_EQ(source.text.find("cmath"), std::string::npos);
     EXPECT_EQ(source.text.find("once"), std::string::npos);
