@@ -15,14 +15,14 @@ layout(binding = 24) uniform sampler3D skyAerialThroughTable;
 /// `direction`: world, unit.
 vec3 skyRadiance(vec3 direction) {
     vec2 size = vec2(textureSize(skyViewTable, 0));
-    return textureLod(skyViewTable, skyCoordinate(size, sky.skyCamera.y, direction, sky.lights.sun.xyz), 0.0).rgb;
+    return textureLod(skyViewTable, skyCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz), 0.0).rgb;
 }
 
 /// The air between the camera and a point at `distance` toward `direction` (world, unit): what lies there comes to the
 /// eye as  radiance * transmittance + its air light.
 AirLight airBefore(vec3 direction, float distance) {
     vec3 size = vec3(textureSize(skyAerialTable, 0));
-    vec3 uvw = aerialCoordinate(size, sky.skyCamera.y, direction, sky.lights.sun.xyz, distance);
+    vec3 uvw = aerialCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz, distance);
     AirLight light;
     light.radiance = textureLod(skyAerialTable, uvw, 0.0).rgb;
     light.transmittance = textureLod(skyAerialThroughTable, uvw, 0.0).rgb;

@@ -22,8 +22,8 @@ void main() {
     float h = sky.skyCamera.x;
     vec3 direction = skyDirection(h, (vec2(texel) + 0.5) / vec2(size), sky.lights.sun.xyz);
     AirLight light = lightFrom(sky.lights.sun.xyz, direction, h);
-    vec3 radiance = light.radiance * sky.lights.sunLight.rgb * sky.skyCamera.z;
-    if (sky.skyCamera.w > 0.0)
+    vec3 radiance = light.radiance * sky.lights.sunLight.rgb;
+    if (sky.skyCamera.y > 0.0)
         radiance += lightFrom(sky.lights.moon.xyz, direction, h).radiance * sky.lights.moonLight.rgb;
     vec3 behind = distanceInward(h, direction.y, 0.0) >= 0.0 ? sky.air.ground.rgb : airglowAlong(direction.y);
     imageStore(table, texel, vec4(radiance + light.transmittance * behind, 1.0));

@@ -2,6 +2,7 @@
 #ifndef LUFTPOST_SKY_BLOCK_GLSL_H
 #define LUFTPOST_SKY_BLOCK_GLSL_H
 #include "shaders/shared/atmosphere.glsl.h"
+#include "shaders/shared/block.glsl.h"
 GLSL_BEGIN
 
 GLSL_CONST int kSkyBlockBinding = 4;
@@ -12,21 +13,13 @@ GLSL_CONST int kSkyViewUnit = 22;
 GLSL_CONST int kSkyAerialUnit = 23;
 GLSL_CONST int kSkyAerialThroughUnit = 24;
 
-#ifdef __cplusplus
-struct SkyBlock {
-#else
-layout(std140, binding = 4) uniform SkyBlock {
-#endif
+UNIFORM_BLOCK(SkyBlock, 4) {
     Atmosphere air;
     SkyLights lights;
-    vec4 skyCamera;           // x: altitude in m for the tables; y: that of their making; z: sun's, w: moon's part in them
+    vec4 skyCamera;           // x: altitude in m when the tables were made; y: 1: the moon is in them; z: 1: stars show
     vec4 airglow;             // rgb: radiance at the zenith above the air
     mat4 celestialFromWorld;  // rotation to J2000
-#ifdef __cplusplus
-};
-#else
-} sky;
-#endif
+} BLOCK_NAME(sky);
 
 GLSL_END
 #endif
