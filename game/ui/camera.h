@@ -6,15 +6,10 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "engine/core/environment.h"
+#include "engine/render/snapshot.h"
 
 namespace luftpost::ui {
-/// Looks along -z of its own frame, y up. World: x east, y up, z south. `horizontalFov` in radians.
-struct CameraPose {
-    glm::dvec3 positionWorld{0.0};
-    glm::dquat worldFromCamera{1.0, 0.0, 0.0, 0.0};
-    double horizontalFov = 1.2;
-};
+using CameraPose = render::Camera;
 
 enum class CameraMode { chase, cockpit, free, parcel };
 
@@ -43,12 +38,14 @@ public:
     /// chase -> cockpit -> free -> chase. The free camera starts where the picture is.
     void next();
     void select(CameraMode mode);
+    /// Horizontal, radians; chase and free. The cockpit sees a little wider.
+    void setFieldOfView(double angle) { fieldOfView_ = angle; }
     /// Stands at once where a long flight in this state would have brought it (start, respawn, replay).
     void reset(CameraSubject const& subject, GroundHeight const& ground);
     /// Moves on by `seconds` of simulated time (0 while paused; the free camera then moves by `wallSeconds`).
     void advance(CameraSubject const& subject, CameraInput const& input, GroundHeight const& ground, double seconds,
                  double wallSeconds);
-    /// Never less than kCameraClearance over the ground.
+    /// Never less than kCameraClearance over the ground (the pilot's eye stands where the aircraft has it).
     CameraPose const& pose() const { return pose_; }
     /// Whether the aircraft's own outside hides the view and its cockpit should be drawn instead.
     bool inside() const { return mode_ == CameraMode::cockpit; }
@@ -71,10 +68,11 @@ private:
     glm::dvec3 freeVelocity_{0.0};
     double distance_ = 1.0;        // chase: factor by the wheel
     double breath_ = 0.0;          // chase: smoothed speed, m/s
+    double fieldOfView_ = 1.309;
     double head_ = 0.0;            // cockpit: smoothed load factor - 1
 };
 
 inline constexpr double kCameraClearance = 1.5;  // m
 /// The pilot's eye in the body frame of assets/models/plane.glb.
-inline constexpr glm::dvec3 kPilotEyeBody{0.15, 0.62, -0.27};
+inline constexpr glm::dvec3 kPilotEyeBody{0.05, 0.58, -0.27};
 }  // namespace luftpost::ui

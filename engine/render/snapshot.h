@@ -1,0 +1,96 @@
+// All that one frame shows: plain data, made by the game (or a tool) once a frame. The game knows nothing of passes.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/core/environment.h"
+#include "engine/core/frames.h"
+#include "engine/render/graphics_settings.h"
+#include "engine/sky/sky_state.h"
+#include "engine/weather/weather.h"
+
+struct ImDrawData;
+
+namespace luftpost::weather {
+class Field;
+}
+
+namespace luftpost::render {
+enum class Projection { perspective, panorama, dome };
+
+/// Looks along -z of its own frame, y up. World: x east, y up, z south, metres.
+struct Camera {
+    glm::dvec3 positionWorld{0.0, 2.0, 0.0};
+    glm::dquat worldFromCamera{1.0, 0.0, 0.0, 0.0};
+    double horizontalFov = 1.309;  // radians; perspective only
+    double near = 0.2;             // m
+    Projection projection = Projection::perspective;
+};
+
+/// A model that the renderer holds (Renderer::loadModel).
+enum class ModelId : int { none = -1 };
+
+/// A node of the model moved from its rest: applied in the node's own frame, before its rest transform.
+struct NodePose {
+    std::string node;                          // its name in the glTF file
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    glm::vec3 translation{0.0f};
+    glm::vec3 scale{1.0f};                     // 0 hides the node and its children
+};
+
+struct ModelInstance {
+    ModelId model = ModelId::none;
+    glm::dvec3 positionWorld{0.0};
+    glm::dquat worldFromModel{1.0, 0.0, 0.0, 0.0};
+    glm::vec3 scale{1.0f};
+    glm::vec4 tint{1.0f};                      // multiplies the base colour; alpha below 1 blends
+    float emission = 0.0f;                     // added light, in units of the scene's key light (markers)
+    bool castsShadow = false;                  // on the ground and on itself
+    std::vector<NodePose> poses;
+};
+
+/// One soft ball of smoke or dust.
+struct Puff {
+    glm::dvec3 positionWorld{0.0};
+    float radius = 1.0f;                       // m
+    glm::vec4 colour{1.0f};                    // albedo, opacity in its middle
+};
+
+/// The debug views (F2, F3).
+struct DebugViews {
+    bool normals = false;
+    bool wireframe = false;
+};
+
+struct Snapshot {
+    Camera camera;
+    bool still = false;                        // every ray, no history: screenshots and tools
+    bool dither = true;
+    bool drawTerrain = true;
+    bool drawClouds = true;
+    GraphicsSettings graphics;
+    DebugViews debug;
+
+    core::UtcSeconds time = 0.0;               // of the weather's clock
+    double simulationSeconds = 0.0;            // what moves waves, trees and flags
+    double frameSeconds = 1.0 / 60.0;          // since the previous frame; 0 when paused
+    unsigned seed = 1;
+    core::Place place;
+
+    sky::SkyState sky;
+    weather::Field const* field = nullptr;     // lives as long as the frame; null: no clouds
+    weather::Weather weather;                  // at the camera
+    glm::dvec3 windWorld{0.0};                 // at the camera, m/s
+
+    std::vector<ModelInstance> models;
+    std::vector<Puff> puffs;
+    glm::dvec3 aircraftWorld{0.0};
+    bool hasAircraft = false;
+
+    ImDrawData const* ui = nullptr;            // lists of the HUD and menus, null: none
+    int fontVersion = 0;                       // ui::ScreenFrame::fontVersion()
+};
+}  // namespace luftpost::render

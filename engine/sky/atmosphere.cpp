@@ -1,0 +1,114 @@
+#include "engine/sky/atmosphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/lib/atmosphere.glsl"
+
+namespace luftpost::sky {
+namespace {
+constexpr int kTransmittanceWidth = 64, kTransmittanceHeight = 32;
+constexpr int kMultipleWidth = 32, kMultipleHeight = 12;
+constexpr int kMultipleDirections = 4;   // squared
+constexpr int kIrradianceRings = 8, kIrradianceSectors = 8;
+constexpr int kSteps = 24;
+
+constexpr glm::vec3 kRayleigh{7.7e-6f, 12.6e-6f, 24.1e-6f};  // 1/m at sea level
+constexpr glm::vec3 kOzone{2.47e-6f, 1.56e-6f, 0.27e-6f};    // 1/m at 25 km
+constexpr double kCleanestHaze = 3.0e-6;                     // 1/m: no air near the ground is cleaner
+constexpr double kThickestHaze = 3.0 / 12000.0;              // 1/m
+constexpr float kGreenWavelength = 545.0f;                   // nm
+
+glm::vec2 sizeOf(int width, int height) { return {static_cast<float>(width), static_cast<float>(height)}; }
+glm::vec2 const kTransmittanceSize = sizeOf(kTransmittanceWidth, kTransmittanceHeight);
+glm::vec2 const kMultipleSize = sizeOf(kMultipleWidth, kMultipleHeight);
+
+glm::vec3 hazeColour(float green) {
+    auto const at = [&](float wavelength) { return green * std::pow(wavelength / kGreenWavelength, -1.2f); };
+    return {at(615.0f), at(545.0f), at(465.0f)};
+}
+
+template <class Texel>
+std::vector<glm::vec4> table(int width, int height, Texel texel) {
+    std::vector<glm::vec4> texels;
+    texels.reserve(static_cast<std::size_t>(width * height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::vec2 const centre{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+            texels.emplace_back(texel(centre / sizeOf(width, height)), 1.0f);
+        }
+    return texels;
+}
+}  // namespace
+
+glsl::Atmosphere atmosphere(AirConditions const& conditions) {
+    double const wanted = 3.0 / std::max(conditions.visibility, 20.0) - static_cast<double>(kRayleigh.y);
+    double const haze = std::clamp(wanted, kCleanestHaze, kThickestHaze);
+    double const fog = std::max(wanted - haze, 0.0);
+    double const direct = directShareUnder(conditions.cover);
+    double const diffuse = globalShareUnder(conditions.cover);
+    auto const f = [](double value) { return static_cast<float>(value); };
+    glsl::Atmosphere air;
+    air.rayleigh = glm::vec4{kRayleigh, 8000.0f};
+    air.haze = glm::vec4{hazeColour(f(haze)), 1800.0f};
+    air.ozone = glm::vec4{kOzone, 0.76f};
+    air.fog = glm::vec4{f(fog), 220.0f, f(conditions.groundAltitude), 0.94f};
+    air.cover = glm::vec4{f(conditions.cloudBase), f(direct), f(diffuse), 0.0f};
+    air.ground = glm::vec4{0.0f, 0.0f, 0.0f, f(conditions.groundAlbedo)};
+    return air;
+}
+
+double globalShareUnder(double cover) { return 1.0 - 0.75 * std::pow(std::clamp(cover, 0.0, 1.0), 3.4); }
+double directShareUnder(double cover) { return 1.0 - std::clamp(cover, 0.0, 1.0); }
+
+AtmosphereTables::AtmosphereTables(glsl::Atmosphere const& air) : air_{air} {
+    transmittance_ = table(kTransmittanceWidth, kTransmittanceHeight, [&](glm::vec2 uv) {
+        glm::vec2 const argument = glsl::transmittanceArgument(kTransmittanceSize, uv);
+        return glsl::transmittanceToTopExact(air_, argument.x, argument.y);
+    });
+    multiple_ = table(kMultipleWidth, kMultipleHeight, [&](glm::vec2 uv) {
+        glm::vec2 const argument = glsl::multipleArgument(kMultipleSize, uv);
+        return glsl::multipleExact(air_, transmittanceTable(), kTransmittanceSize, argument.x, argument.y,
+                                   kMultipleDirections);
+    });
+}
+
+glsl::sampler2D AtmosphereTables::transmittanceTable() const {
+    return {transmittance_.data(), kTransmittanceWidth, kTransmittanceHeight};
+}
+
+glsl::sampler2D AtmosphereTables::multipleTable() const {
+    return {multiple_.data(), kMultipleWidth, kMultipleHeight};
+}
+
+glm::vec3 AtmosphereTables::direct(double altitude, double elevation, double angularRadius) const {
+    return glsl::lightThroughAir(transmittanceTable(), kTransmittanceSize, static_cast<float>(std::max(altitude, 0.0)),
+                                 static_cast<float>(std::sin(elevation)), static_cast<float>(angularRadius));
+}
+
+glm::vec3 AtmosphereTables::radiance(double altitude, glm::dvec3 const& direction, glm::dvec3 const& light) const {
+    return glsl::airLight(air_, transmittanceTable(), kTransmittanceSize, multipleTable(), kMultipleSize,
+                          static_cast<float>(std::max(altitude, 0.0)), static_cast<float>(direction.y),
+                          static_cast<float>(light.y), static_cast<float>(glm::dot(direction, light)), kSteps)
+        .radiance;
+}
+
+glm::vec3 AtmosphereTables::skyIrradiance(double altitude, double elevation) const {
+    glm::dvec3 const light = directionWorld(0.0, elevation);
+    glm::vec3 sum{0.0f};
+    for (int ring = 0; ring < kIrradianceRings; ++ring) {
+        // Rings of equal share of a plane's irradiance: sin^2 of the zenith angle is uniform.
+        double const up = std::asin(std::sqrt((ring + 0.5) / kIrradianceRings));
+        for (int sector = 0; sector < kIrradianceSectors; ++sector) {
+            double const around = core::kPi * (sector + 0.5) / kIrradianceSectors;
+            sum += radiance(altitude, directionWorld(around, up), light);
+        }
+    }
+    return sum * static_cast<float>(core::kPi / (kIrradianceRings * kIrradianceSectors));
+}
+
+glm::vec3 AtmosphereTables::transmittance(double altitude, double elevation, double distance) const {
+    return glm::exp(-glsl::opticalDepth(air_, static_cast<float>(std::max(altitude, 0.0)),
+                                        static_cast<float>(std::sin(elevation)), static_cast<float>(distance), kSteps));
+}
+}  // namespace luftpost::sky

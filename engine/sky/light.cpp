@@ -1,0 +1,75 @@
+#include "engine/sky/light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luftpost::sky {
+namespace {
+constexpr double kFullMoon_lx = 0.267;
+constexpr double kMeanMoonRadius = 0.004520;  // rad, at the mean distance
+constexpr float kCloudAlbedo = 0.6f;
+
+/// Direct irradiance on a horizontal plane.
+glm::vec3 onThePlane(glm::vec3 const& facing, glm::dvec3 const& direction) {
+    return facing * static_cast<float>(std::max(direction.y, 0.0));
+}
+
+/// Diffuse irradiance under clouds: what Kasten and Czeplak leave of the global one less the direct beam's share. Its
+/// colour is that of the clear day's whole light, which clouds mix and do not tint.
+glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, double cover) {
+    glm::vec3 const global = (sky + direct) * static_cast<float>(globalShareUnder(cover));
+    glm::vec3 const left = global - direct * static_cast<float>(directShareUnder(cover));
+    return glm::max(left, sky * static_cast<float>(globalShareUnder(cover) * (1.0 - cover)));
+}
+
+glm::vec3 groundColour(double albedo) { return glm::vec3{1.0f, 1.03f, 0.72f} * static_cast<float>(albedo); }
+}  // namespace
+
+float luminance(glm::vec3 const& rgb) { return glm::dot(rgb, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
+
+glm::vec3 airglowRadiance() {
+    return glm::vec3{0.95f, 1.0f, 0.9f} * static_cast<float>(2.0e-4 / kSunIlluminance_lx);
+}
+
+glm::vec3 moonIrradiance(SkyState const& state) {
+    double const phase = state.moonPhaseAngle;
+    double const magnitudes = 1.49 * phase + 0.043 * std::pow(phase, 4.0);
+    double const size = state.moonAngularRadius / kMeanMoonRadius;
+    double const illuminance = kFullMoon_lx * std::pow(10.0, -0.4 * magnitudes) * size * size;
+    return glm::vec3{1.08f, 1.0f, 0.86f} * static_cast<float>(illuminance / kSunIlluminance_lx);
+}
+
+SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double altitude,
+                  AirConditions const& conditions) {
+    SkyLight light;
+    double const sunUp = elevation(state.sunDirectionWorld);
+    double const moonUp = elevation(state.moonDirectionWorld);
+    light.moonAboveAir = moonIrradiance(state);
+    light.sun = tables.direct(altitude, sunUp, state.sunAngularRadius);
+    light.moon = light.moonAboveAir * tables.direct(altitude, moonUp, state.moonAngularRadius);
+    light.skyClear = tables.skyIrradiance(altitude, sunUp) +
+                     light.moonAboveAir * tables.skyIrradiance(altitude, moonUp) +
+                     airglowRadiance() * static_cast<float>(core::kPi);
+    glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
+    light.sky = underCover(light.skyClear, direct, conditions.cover);
+    glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
+    light.groundRadiance = total * groundColour(conditions.groundAlbedo) / static_cast<float>(core::kPi);
+    light.ground = total * groundColour(conditions.groundAlbedo);
+    light.preExposure = exposureFor(meanLuminance(light, state, conditions.cover));
+    return light;
+}
+
+float meanLuminance(SkyLight const& light, SkyState const& state, double cover) {
+    glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
+    float const sky = luminance(light.sky) / static_cast<float>(core::kPi);
+    float const land = luminance(light.sky + direct * static_cast<float>(directShareUnder(cover))) * 0.18f /
+                       static_cast<float>(core::kPi);
+    return 0.5f * (sky + land);
+}
+
+float exposureFor(float mean) {
+    double const candela = std::max(static_cast<double>(mean), 1e-10) * kSunIlluminance_lx;
+    double const key = 1.03 - 2.0 / (2.0 + std::log10(candela + 1.0));
+    return static_cast<float>(key * kSunIlluminance_lx / std::max(candela, 2.0e-3) * 0.4);
+}
+}  // namespace luftpost::sky

@@ -1,0 +1,44 @@
+// The light at one point of the air: what land, clouds and aircraft are lit by, and where the exposure starts from.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "engine/sky/atmosphere.h"
+#include "engine/sky/sky_state.h"
+
+namespace luftpost::sky {
+/// 1 of our irradiance in lux: the sun's illuminance above the air.
+inline constexpr double kSunIlluminance_lx = 128.0e3;
+
+/// Irradiances, scene-linear Rec. 709, the sun's above the air being 1.
+struct SkyLight {
+    glm::vec3 sun{0.0f};          // on a plane facing the sun, after the air, no cloud in the way
+    glm::vec3 moon{0.0f};         // the same of the moon
+    glm::vec3 moonAboveAir{0.0f};  // the moon's above the air: by phase and distance
+    glm::vec3 skyClear{0.0f};     // from above on a horizontal plane, of a cloudless sky
+    glm::vec3 sky{0.0f};          // the same under the clouds above: greyer, and dimmer or brighter
+    glm::vec3 ground{0.0f};       // from below on a horizontal plane: land and clouds below in sun and sky
+    glm::vec3 groundRadiance{0.0f};  // of the land in the mean, 1/(sr), for the sky's lower half
+    float preExposure = 1.0f;     // factor that brings the scene near 1: smooth from noon to a moonless night
+};
+
+/// Light at `altitude` (m above sea level). `conditions.cover` is what lies above that altitude.
+SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double altitude,
+                  AirConditions const& conditions);
+
+/// The moon's irradiance above the air: Allen's phase law (Astrophysical Quantities), 0.267 lx when full at its mean
+/// distance; a little redder than the sun.
+glm::vec3 moonIrradiance(SkyState const& state);
+
+/// Radiance of the airglow and of all stars together at the zenith above the air, 1/sr: 2e-4 cd/m2 (a natural sky
+/// without moon has magnitude 21.9 to 22 per square arc second).
+glm::vec3 airglowRadiance();
+
+/// Mean luminance, 1/sr, that a camera under `light` meets, half land and half sky: exposure's analytic start.
+float meanLuminance(SkyLight const& light, SkyState const& state, double cover);
+
+/// What a scene of mean luminance `mean` is multiplied by so that its mid-tones come out where the eye expects them:
+/// mid-grey by day, ever darker from dusk to night (Krawczyk, Myszkowski and Seidel 2005).
+float exposureFor(float mean);
+
+float luminance(glm::vec3 const& rgb);
+}  // namespace luftpost::sky

@@ -1,0 +1,368 @@
+// The atmosphere.
+//
+// PROBLEM. Along a ray from a point of the air, how much light of the sun (or the moon) comes toward us, and how much
+// of what lies behind comes through? From the same two numbers follow the blue of the zenith, the pale horizon, the
+// red sunset, the Earth's shadow, and the veil before a mountain thirty kilometres away.
+//
+// DERIVATION. The air scatters and absorbs. With extinction s(x) per metre, a path keeps the share
+//     T = exp(- integral of s)                                                      (Beer and Lambert)
+// and a point x of the ray toward v adds, per metre and per unit of the sun's irradiance above the air,
+//     sum over constituents of  scattering_i(x) phase_i(v, l) T(x to the sun)       light scattered once
+//   + sum over constituents of  scattering_i(x) psi(x)                              light scattered before
+// where psi, the light that already went astray, is taken as isotropic. Light scattered twice, three times, ... is
+// nearly a geometric series, so that psi = second / (1 - share): Hillaire, "A Scalable and Production Ready Sky and
+// Atmosphere Rendering Technique", EGSR 2020. Constituents:
+//   - molecules (Rayleigh), falling with a scale height of 8 km;
+//   - haze, falling with 1.2 km from the height of the place, as thick as the reported visibility says;
+//   - fog, a grey layer a few hundred metres deep, for what visibility is worse than haze can be;
+//   - ozone, which only absorbs, between 10 and 40 km: without it the zenith at dusk is yellow, not blue.
+// The spectrum is carried as three numbers at the effective wavelengths of Rec. 709.
+//
+// Two integrals do not depend on the view and are kept as tables: the transmittance to the top of the air, a function
+// of height and angle, and psi, a function of height and the sun's angle. Both mappings (value -> texture coordinate)
+// and their inverses are below; C++ and the compute shaders make the same tables from them.
+//
+// FLOATS. The Earth's radius is 6.4 million metres, of which a float holds half a metre. So nothing here works with
+// radii: a point is its height h above the sphere, a ray the cosine mu of its zenith angle, and squares of radii are
+// subtracted on paper: (R+h)^2 - (R+s)^2 = (h-s)(2R+h+s).
+#ifndef LUFTPOST_ATMOSPHERE_GLSL
+#define LUFTPOST_ATMOSPHERE_GLSL
+#include "shaders/shared/atmosphere.glsl.h"
+#include "shaders/shared/sampler2d.glsl.h"
+GLSL_BEGIN
+
+GLSL_CONST float kAirPi = 3.14159265f;
+GLSL_CONST float kPlanetRadius = 6371000.0f;  // m
+GLSL_CONST float kAirTop = 100000.0f;         // m: what lies above scatters a millionth
+GLSL_CONST float kAerialReach = 400000.0f;    // m: the horizon is 391 km away from 12 km up
+
+// ---------------------------------------------------------------------------------------------------- the sphere
+
+/// Height at distance t along a ray that starts at height h with zenith cosine mu. Good to 0.05 m at 400 km.
+GLSL_FUNCTION float heightAlong(float h, float mu, float t) {
+    float rise = h * (2.0f * kPlanetRadius + h) + t * (t + 2.0f * (kPlanetRadius + h) * mu);
+    return rise / (kPlanetRadius + sqrt(max(kPlanetRadius * kPlanetRadius + rise, 0.0f)));
+}
+
+/// Cosine of the angle of a fixed direction (cosine `muStart` at the start) to the zenith at distance t. `nu` is the
+/// cosine between ray and direction, `end` the height there.
+GLSL_FUNCTION float zenithCosineAlong(float h, float muStart, float nu, float t, float end) {
+    return clamp(((kPlanetRadius + h) * muStart + t * nu) / (kPlanetRadius + end), -1.0f, 1.0f);
+}
+
+/// Distance to the sphere of height s from below it (h <= s).
+GLSL_FUNCTION float distanceOutward(float h, float mu, float s) {
+    float b = (kPlanetRadius + h) * mu;
+    float c = (h - s) * (2.0f * kPlanetRadius + h + s);
+    float root = sqrt(max(b * b - c, 0.0f));
+    return b > 0.0f ? -c / (b + root) : root - b;
+}
+
+/// Distance to the sphere of height s from above it (h >= s); -1 where the ray misses it.
+GLSL_FUNCTION float distanceInward(float h, float mu, float s) {
+    float b = (kPlanetRadius + h) * mu;
+    float c = (h - s) * (2.0f * kPlanetRadius + h + s);
+    float discriminant = b * b - c;
+    return (b < 0.0f && discriminant >= 0.0f) ? c / (sqrt(discriminant) - b) : -1.0f;
+}
+
+/// Cosine of the zenith angle under which the sea's horizon stands at height h.
+GLSL_FUNCTION float horizonCosine(float h) {
+    return -sqrt(max(h, 0.0f) * (2.0f * kPlanetRadius + max(h, 0.0f))) / (kPlanetRadius + max(h, 0.0f));
+}
+
+// ------------------------------------------------------------------------------------------------------- the air
+
+/// What a metre of air does at one height: scattering of the three kinds and the extinction of all, per metre.
+struct AirAt {
+    vec3 rayleigh;
+    vec3 haze;
+    vec3 extinction;
+};
+
+GLSL_FUNCTION AirAt airAt(Atmosphere air, float h) {
+    float above = max(h - air.fog.z, 0.0f);
+    vec3 rayleigh = vec3(air.rayleigh) * exp(-max(h, 0.0f) / air.rayleigh.w);
+    vec3 haze = vec3(air.haze) * exp(-above / air.haze.w) + vec3(air.fog.x * exp(-above / air.fog.y));
+    vec3 ozone = vec3(air.ozone) * max(0.0f, 1.0f - abs(h - 25000.0f) / 15000.0f);
+    AirAt result;
+    result.rayleigh = rayleigh;
+    result.haze = haze * air.fog.w;
+    result.extinction = rayleigh + haze + ozone;
+    return result;
+}
+
+/// Rayleigh's phase function, 1/sr: integrates to 1 over the sphere.
+GLSL_FUNCTION float rayleighPhase(float nu) { return 3.0f / (16.0f * kAirPi) * (1.0f + nu * nu); }
+
+/// Cornette and Shanks' phase function of haze, 1/sr: Henyey and Greenstein's with Rayleigh's limit at g = 0.
+GLSL_FUNCTION float hazePhase(float nu, float g) {
+    float k = 3.0f / (8.0f * kAirPi) * (1.0f - g * g) / (2.0f + g * g);
+    return k * (1.0f + nu * nu) / pow(max(1.0f + g * g - 2.0f * g * nu, 1e-4f), 1.5f);
+}
+
+// ---------------------------------------------------------------------------------- table one: the transmittance
+
+/// Texture coordinate of (h, mu): how long the ray is among all of its height, against the height's horizon distance
+/// (Bruneton 2017). Half texels keep the borders on the texels' centres.
+GLSL_FUNCTION vec2 transmittanceCoordinate(vec2 size, float h, float mu) {
+    float toHorizon = sqrt(max(h, 0.0f) * (2.0f * kPlanetRadius + h));
+    float topToHorizon = sqrt(kAirTop * (2.0f * kPlanetRadius + kAirTop));
+    float shortest = kAirTop - h;
+    float along = (distanceOutward(h, mu, kAirTop) - shortest) / (toHorizon + topToHorizon - shortest);
+    vec2 unit = clamp(vec2(along, toHorizon / topToHorizon), vec2(0.0f), vec2(1.0f));
+    return (unit * (size - vec2(1.0f)) + vec2(0.5f)) / size;
+}
+
+/// Inverse of transmittanceCoordinate: (h, mu) of a texture coordinate.
+GLSL_FUNCTION vec2 transmittanceArgument(vec2 size, vec2 uv) {
+    vec2 unit = clamp((uv * size - vec2(0.5f)) / (size - vec2(1.0f)), vec2(0.0f), vec2(1.0f));
+    float topToHorizon = sqrt(kAirTop * (2.0f * kPlanetRadius + kAirTop));
+    float toHorizon = unit.y * topToHorizon;
+    float h = toHorizon * toHorizon / (kPlanetRadius + sqrt(kPlanetRadius * kPlanetRadius + toHorizon * toHorizon));
+    float shortest = kAirTop - h;
+    float d = shortest + unit.x * (toHorizon + topToHorizon - shortest);
+    float mu = d <= 0.0f ? 1.0f
+                         : ((kAirTop - h) * (2.0f * kPlanetRadius + kAirTop + h) - d * d) /
+                               (2.0f * d * (kPlanetRadius + h));
+    return vec2(h, clamp(mu, -1.0f, 1.0f));
+}
+
+/// Optical depth along the ray over `distance`, with steps that grow with the square of their number.
+GLSL_FUNCTION vec3 opticalDepth(Atmosphere air, float h, float mu, float distance, int steps) {
+    vec3 depth = vec3(0.0f);
+    float start = 0.0f;
+    for (int i = 0; i < steps; ++i) {
+        float share = float(i + 1) / float(steps);
+        float end = distance * share * share;
+        depth += airAt(air, heightAlong(h, mu, 0.5f * (start + end))).extinction * (end - start);
+        start = end;
+    }
+    return depth;
+}
+
+/// Transmittance from height h along mu to the top of the air, the ground left out: one texel of table one.
+GLSL_FUNCTION vec3 transmittanceToTopExact(Atmosphere air, float h, float mu) {
+    return exp(-opticalDepth(air, h, mu, distanceOutward(h, mu, kAirTop), 48));
+}
+
+/// The same from the table.
+GLSL_FUNCTION vec3 transmittanceToTop(sampler2D table, vec2 size, float h, float mu) {
+    return vec3(textureLod(table, transmittanceCoordinate(size, clamp(h, 0.0f, kAirTop), mu), 0.0f));
+}
+
+GLSL_CONST float kTransmittanceWidth = 256.0f;
+GLSL_CONST float kTransmittanceHeight = 64.0f;
+
+/// Share of a light's disc (angular radius `radius`) that comes through the air to height h, where its zenith angle
+/// has the cosine mu: the disc sinks behind the horizon bit by bit.
+GLSL_FUNCTION vec3 lightThroughAir(sampler2D transmittance, vec2 size, float h, float mu, float radius) {
+    float horizon = horizonCosine(h);
+    float visible = smoothstep(-radius, radius, mu - horizon);
+    return visible > 0.0f ? visible * transmittanceToTop(transmittance, size, h, max(mu, horizon)) : vec3(0.0f);
+}
+
+// ------------------------------------------------------------------------- table two: light scattered many times
+
+/// Texture coordinate of (h, cosine of the light's zenith angle): finest near the ground and at dusk.
+GLSL_FUNCTION vec2 multipleCoordinate(vec2 size, float h, float mu) {
+    float x = 0.5f + 0.5f * sign(mu) * sqrt(abs(mu));
+    vec2 unit = clamp(vec2(x, sqrt(max(h, 0.0f) / kAirTop)), vec2(0.0f), vec2(1.0f));
+    return (unit * (size - vec2(1.0f)) + vec2(0.5f)) / size;
+}
+
+GLSL_FUNCTION vec2 multipleArgument(vec2 size, vec2 uv) {
+    vec2 unit = clamp((uv * size - vec2(0.5f)) / (size - vec2(1.0f)), vec2(0.0f), vec2(1.0f));
+    float x = 2.0f * unit.x - 1.0f;
+    return vec2(kAirTop * unit.y * unit.y, x * abs(x));
+}
+
+/// What one direction adds to a texel of table two: light scattered twice and the share that is scattered on.
+struct TwiceScattered {
+    vec3 light;
+    vec3 share;
+};
+
+GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D transmittance, vec2 size, float h, float mu,
+                                                 float muLight, float nu) {
+    TwiceScattered sum;
+    sum.light = vec3(0.0f);
+    sum.share = vec3(0.0f);
+    float toGround = distanceInward(h, mu, 0.0f);
+    float reach = toGround >= 0.0f ? toGround : distanceOutward(h, mu, kAirTop);
+    vec3 through = vec3(1.0f);
+    float start = 0.0f;
+    for (int i = 0; i < 20; ++i) {
+        float portion = float(i + 1) / 20.0f;
+        float end = reach * portion * portion;
+        float t = 0.5f * (start + end);
+        float height = max(heightAlong(h, mu, t), 0.0f);
+        AirAt here = airAt(air, height);
+        vec3 stepThrough = exp(-here.extinction * (end - start));
+        vec3 kept = through * (vec3(1.0f) - stepThrough) / max(here.extinction, vec3(1e-12f));
+        vec3 scattering = here.rayleigh + here.haze;
+        float muHere = zenithCosineAlong(h, muLight, nu, t, height);
+        sum.light += kept * scattering * lightThroughAir(transmittance, size, height, muHere, 0.00465f) /
+                     (4.0f * kAirPi);
+        sum.share += kept * scattering;
+        through *= stepThrough;
+        start = end;
+    }
+    if (toGround >= 0.0f) {
+        float muHere = zenithCosineAlong(h, muLight, nu, toGround, 0.0f);
+        vec3 onGround = lightThroughAir(transmittance, size, 0.0f, muHere, 0.00465f) * max(muHere, 0.0f);
+        sum.light += through * onGround * air.ground.w / kAirPi;
+    }
+    return sum;
+}
+
+/// psi at height h under a light of irradiance 1 whose zenith angle has the cosine muLight: one texel of table two,
+/// the mean over n x n directions spread evenly over the sphere.
+GLSL_FUNCTION vec3 multipleExact(Atmosphere air, sampler2D transmittance, vec2 size, float h, float muLight, int n) {
+    vec3 light = vec3(0.0f);
+    vec3 share = vec3(0.0f);
+    float sinLight = sqrt(max(1.0f - muLight * muLight, 0.0f));
+    for (int i = 0; i < n * n; ++i) {
+        float mu = 1.0f - 2.0f * (float(i / n) + 0.5f) / float(n);
+        float azimuth = kAirPi * (float(i % n) + 0.5f) / float(n);
+        float nu = mu * muLight + sqrt(1.0f - mu * mu) * sinLight * cos(azimuth);
+        TwiceScattered one = twiceScatteredAlong(air, transmittance, size, h, mu, muLight, nu);
+        light += one.light;
+        share += one.share;
+    }
+    float weight = 1.0f / float(n * n);
+    return light * weight / max(vec3(1.0f) - share * weight, vec3(0.05f));
+}
+
+GLSL_FUNCTION vec3 multipleScattering(sampler2D table, vec2 size, float h, float muLight) {
+    return vec3(textureLod(table, multipleCoordinate(size, clamp(h, 0.0f, kAirTop), muLight), 0.0f));
+}
+
+GLSL_CONST float kMultipleSize = 32.0f;
+
+// ------------------------------------------------------------------------------------------- light along a ray
+
+/// The two tables as one argument is not possible in GLSL (samplers cannot be members), so every function below takes
+/// both and their sizes.
+struct AirLight {
+    vec3 radiance;       // toward the eye, of a light whose irradiance above the air is 1
+    vec3 transmittance;  // of the air on the way
+};
+
+/// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under a
+/// cover of clouds the direct light is dimmed by it and the astray light too.
+GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
+                            AirAt here, float h, float muLight, float nu) {
+    float below = 1.0f - smoothstep(0.8f * air.cover.x, air.cover.x + 1.0f, h);
+    float direct = mix(1.0f, air.cover.y, below);
+    float diffuse = mix(1.0f, air.cover.z, below);
+    vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu, air.ozone.w);
+    vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
+    vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
+    return once * light * direct + (here.rayleigh + here.haze) * psi * diffuse;
+}
+
+/// Adds the air between distances `start` and `end` of the ray to `sum`. The source is constant in the step, and its
+/// own extinction is integrated in closed form, so that a step through fog loses nothing.
+GLSL_FUNCTION AirLight addAir(AirLight sum, Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple,
+                              vec2 multipleSize, float h, float mu, float muLight, float nu, float start, float end) {
+    float t = 0.5f * (start + end);
+    float height = max(heightAlong(h, mu, t), 0.0f);
+    AirAt here = airAt(air, height);
+    vec3 through = exp(-here.extinction * (end - start));
+    float muHere = zenithCosineAlong(h, muLight, nu, t, height);
+    vec3 source = sourceAt(air, transmittance, size, multiple, multipleSize, here, height, muHere, nu);
+    AirLight result;
+    result.radiance = sum.radiance +
+                      sum.transmittance * source * (vec3(1.0f) - through) / max(here.extinction, vec3(1e-12f));
+    result.transmittance = sum.transmittance * through;
+    return result;
+}
+
+/// Light of the air from height h along mu: to the top of the air, or to the sea where the ray goes down. `nu` is the
+/// cosine between ray and light, `muLight` that of the light's zenith angle at the start.
+GLSL_FUNCTION AirLight airLight(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple,
+                                vec2 multipleSize, float h, float mu, float muLight, float nu, int steps) {
+    AirLight sum;
+    sum.radiance = vec3(0.0f);
+    sum.transmittance = vec3(1.0f);
+    float toGround = distanceInward(h, mu, 0.0f);
+    float reach = toGround >= 0.0f ? toGround : distanceOutward(h, mu, kAirTop);
+    float start = 0.0f;
+    for (int i = 0; i < steps; ++i) {
+        float share = float(i + 1) / float(steps);
+        float end = reach * share * share;
+        sum = addAir(sum, air, transmittance, size, multiple, multipleSize, h, mu, muLight, nu, start, end);
+        start = end;
+    }
+    return sum;
+}
+
+// ----------------------------------------------------------------------- tables three and four: around the camera
+// The sky's radiance is kept by direction, the air's light before land and clouds by direction and distance. Both use
+// the same two coordinates, with the sun's azimuth in the middle of x and the horizon in the middle of y, each finest
+// there. (Not by screen position: so the tables outlive a turn of the head and serve panoramas and mirrors too.)
+
+/// Elevation -> 0..1 with the horizon of height h at 0.5.
+GLSL_FUNCTION float elevationCoordinate(float h, float elevation) {
+    float horizon = asin(horizonCosine(h));
+    float up = elevation - horizon;
+    float range = up >= 0.0f ? 0.5f * kAirPi - horizon : 0.5f * kAirPi + horizon;
+    return 0.5f + 0.5f * sign(up) * sqrt(min(abs(up) / range, 1.0f));
+}
+
+GLSL_FUNCTION float elevationArgument(float h, float coordinate) {
+    float horizon = asin(horizonCosine(h));
+    float x = 2.0f * coordinate - 1.0f;
+    float range = x >= 0.0f ? 0.5f * kAirPi - horizon : 0.5f * kAirPi + horizon;
+    return clamp(horizon + x * abs(x) * range, -0.5f * kAirPi, 0.5f * kAirPi);
+}
+
+/// Azimuth from the sun's, -pi..pi, -> 0..1 with the sun at 0.5.
+GLSL_FUNCTION float azimuthCoordinate(float fromSun) { return 0.5f + 0.5f * sin(0.5f * fromSun); }
+GLSL_FUNCTION float azimuthArgument(float coordinate) {
+    return 2.0f * asin(clamp(2.0f * coordinate - 1.0f, -1.0f, 1.0f));
+}
+
+/// Azimuth of `direction` seen from the azimuth of `toward` (both world: x east, y up, z south), -pi..pi, clockwise.
+GLSL_FUNCTION float azimuthFrom(vec3 direction, vec3 toward) {
+    float along = direction.x * toward.x + direction.z * toward.z;
+    float across = toward.x * direction.z - toward.z * direction.x;
+    return (abs(along) + abs(across)) > 0.0f ? atan(across, along) : 0.0f;
+}
+
+/// The direction whose azimuth from `toward` and elevation are given: inverse of azimuthFrom.
+GLSL_FUNCTION vec3 directionFrom(float azimuth, float elevation, vec3 toward) {
+    float level = sqrt(toward.x * toward.x + toward.z * toward.z);
+    vec2 ahead = level > 1e-6f ? vec2(toward.x, toward.z) / level : vec2(1.0f, 0.0f);
+    vec2 turned = vec2(ahead.x * cos(azimuth) - ahead.y * sin(azimuth), ahead.x * sin(azimuth) + ahead.y * cos(azimuth));
+    return vec3(turned.x * cos(elevation), sin(elevation), turned.y * cos(elevation));
+}
+
+/// Texture coordinate in the sky table. Texels of sky and of ground beside the horizon are not mixed.
+GLSL_FUNCTION vec2 skyCoordinate(vec2 size, float h, vec3 direction, vec3 sun) {
+    float y = elevationCoordinate(h, asin(clamp(direction.y, -1.0f, 1.0f)));
+    float guard = 0.5f / size.y;
+    y = y >= 0.5f ? max(y, 0.5f + guard) : min(y, 0.5f - guard);
+    return vec2(azimuthCoordinate(azimuthFrom(direction, sun)), y);
+}
+
+GLSL_FUNCTION vec3 skyDirection(float h, vec2 uv, vec3 sun) {
+    return directionFrom(azimuthArgument(uv.x), elevationArgument(h, uv.y), sun);
+}
+
+/// Distance of slice k of the aerial table's n: 0, then thirteen metres, growing with the cube to kAerialReach.
+GLSL_FUNCTION float aerialDistance(float slice, float slices) {
+    float share = slice / (slices - 1.0f);
+    return kAerialReach * share * share * share;
+}
+
+GLSL_FUNCTION vec3 aerialCoordinate(vec3 size, float h, vec3 direction, vec3 sun, float distance) {
+    float share = pow(clamp(distance / kAerialReach, 0.0f, 1.0f), 1.0f / 3.0f);
+    return vec3(azimuthCoordinate(azimuthFrom(direction, sun)),
+                elevationCoordinate(h, asin(clamp(direction.y, -1.0f, 1.0f))),
+                (share * (size.z - 1.0f) + 0.5f) / size.z);
+}
+
+GLSL_END
+#endif

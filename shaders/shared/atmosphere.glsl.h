@@ -1,0 +1,27 @@
+// The air as C++ and GLSL share it: optical properties that change with the weather. Metres and 1/m at the effective
+// wavelengths of Rec. 709's red, green and blue (615, 545, 465 nm).
+#ifndef LUFTPOST_ATMOSPHERE_GLSL_H
+#define LUFTPOST_ATMOSPHERE_GLSL_H
+#include "shaders/shared/language.glsl.h"
+GLSL_BEGIN
+
+// The fields are vec4 so that std140 and C++ lay them out alike.
+struct Atmosphere {
+    vec4 rayleigh;  // rgb: scattering of air molecules at sea level; w: scale height
+    vec4 haze;      // rgb: extinction of haze at its base; w: scale height
+    vec4 ozone;     // rgb: absorption at 25 km, falling to 0 at 10 and 40 km; w: asymmetry g of haze and fog
+    vec4 fog;       // x: extinction at the base; y: scale height; z: altitude of the base of haze and fog; w: albedo of both
+    vec4 cover;     // clouds above: x: altitude below which they dim; y: share of direct light; z: share of diffuse light
+    vec4 ground;    // rgb: mean radiance of the land that the sky meets below the horizon; w: albedo of the land
+};
+
+// What the sky is drawn from in one frame. Irradiances above the air, the sun's being 1.
+struct SkyLights {
+    vec4 sun;        // xyz: unit vector toward it; w: angular radius
+    vec4 sunLight;   // rgb: irradiance above the air
+    vec4 moon;       // xyz: unit vector toward it; w: angular radius
+    vec4 moonLight;  // rgb: irradiance above the air
+};
+
+GLSL_END
+#endif
