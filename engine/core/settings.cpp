@@ -156,6 +156,13 @@ std::string_view nearestKey(SettingList const& list, std::string_view key) {
         ->key;
 }
 
+std::string nearestText(std::span<std::string const> known, std::string_view text) {
+    CHECK(!known.empty(), "nothing to look in for {}", text);
+    return *std::min_element(known.begin(), known.end(), [&](std::string const& a, std::string const& b) {
+        return distance(a, text) < distance(b, text);
+    });
+}
+
 std::string settingText(SettingValue const& value) {
     if (auto const* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (auto const* number = std::get_if<double>(&value)) return fmt::format("{}", *number);

@@ -111,6 +111,8 @@ void appendSettings(SettingList& list, S& object, std::tuple<Fields...> const& f
 Setting* findSetting(SettingList& list, std::string_view key);
 /// The known key that looks most like `key`. The list must not be empty.
 std::string_view nearestKey(SettingList const& list, std::string_view key);
+/// The text of `known` (not empty) that looks most like `text`.
+std::string nearestText(std::span<std::string const> known, std::string_view text);
 /// "0.45", "true", "word": what a file, the menu and the report show.
 std::string settingText(SettingValue const& value);
 /// What may stand there: "0..1", "a whole number 1..8", "true or false", "one of a, b".

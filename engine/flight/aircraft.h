@@ -42,6 +42,9 @@ public:
     Airframe const& airframe() const { return airframe_; }
 
 private:
+    /// First readings of a state just placed.
+    void begin(core::AirSample const& air, core::GroundFunction const& ground);
+
     Airframe airframe_;
     AircraftState state_;
 };

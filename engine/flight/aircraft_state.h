@@ -10,7 +10,7 @@
 #include "engine/flight/assist.h"
 
 namespace luftpost::flight {
-enum class CrashReason : int { none, hardLanding, strike, water, overturned };
+enum class CrashReason : int { none, hardLanding, strike, water };
 
 /// What a strip carries from tick to tick, and what it met last.
 struct StripState {
@@ -92,8 +92,8 @@ void forEachNumber(AircraftState const& s, Take&& take) {
     for (double value : {s.propellerRate, s.propellerAngle, s.fuel, s.payload, s.ice, s.downwash}) take(value);
     controls(s.trim), controls(s.commands), controls(s.surfaces);
     AssistMemory const& a = s.assist;
-    for (double value : {a.climbAngle, a.heldAltitude, a.heldBank, a.pitchIntegral, a.rollIntegral, a.yawIntegral,
-                         a.throttleIntegral, a.holdsAltitude})
+    for (double value : {a.climbAngle, a.heldAltitude, a.holdsAltitude, a.heldBank, a.pitchIntegral, a.rollIntegral,
+                         a.yawIntegral, a.throttleIntegral, a.startSpeed})
         take(value);
     for (StripState const& strip : s.strips) take(strip.separation), vector(strip.windWorld);
     for (WheelState const& wheel : s.wheels) take(wheel.compression), take(wheel.contact ? 1.0 : 0.0);

@@ -26,7 +26,7 @@ struct StripData {
     std::string name;
     StripPlace place = StripPlace::wing;
     glm::dvec3 position{0.0};         // m, datum frame, quarter chord of the panel's middle
-    glm::dvec3 normal{0.0, 1.0, 0.0};  // unit, toward the upper side; lift is positive along it
+    glm::dvec3 normal{0.0, 1.0, 0.0};  // unit, across x, toward the upper (the fin's: right) side; lift is positive along it
     double area = 1.0;                // m2
     double chord = 1.0;               // m
     double incidence = 0.0;           // rad, nose up (toward the normal) of the body's x axis
@@ -39,13 +39,12 @@ struct StripData {
     double inducedDrag = 0.05;        // drag coefficient per lift coefficient squared
     double momentZero = 0.0;          // moment coefficient about the quarter chord, + nose up
     ControlSurface surface = ControlSurface::none;
-    double surfaceSign = 1.0;         // +1: a positive command turns the trailing edge away from the normal (more lift)
     double surfaceLift = 0.0;         // rad of angle of attack per rad of deflection
     double surfaceDrag = 0.0;         // drag coefficient per rad2 of deflection
     double surfaceMoment = 0.0;       // moment coefficient per rad of deflection
     double surfaceStall = 0.0;        // rad of stall angle lost per rad of downward deflection
-    double wash = 0.0;                // 0..1, share of the panel that stands in the propeller's wash
-    double swirl = 0.0;               // rad of inflow per (propeller torque / (dynamic pressure * disc * radius))
+    double wash = 0.0;                // 0..1, share of the slipstream's speed that the panel meets
+    double swirl = 0.0;               // 0..1, share of the slipstream's rotation that the panel meets
 };
 
 /// Fixed-pitch propeller and piston engine; see propeller.h.
@@ -93,7 +92,6 @@ struct Airframe {
     double payloadMax = 0.0, fuelMax = 0.0;  // kg
     std::vector<StripData> strips;
     double downwash = 0.4, downwashLength = 4.5;  // rad of downwash per unit of wing lift coefficient; m, wing to tail
-    double washGain = 1.0;  // share of the slipstream's far speed that the tail meets
     double elevatorUp = 0.49, elevatorDown = 0.4, aileronUp = 0.35, aileronDown = 0.26, rudder = 0.28;  // rad of travel
     double flapTravel = 0.52, flapSeconds = 6.0;  // rad, s for the full travel
     double surfaceSeconds = 0.15;                // time constant of the controls

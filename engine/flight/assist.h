@@ -20,13 +20,14 @@ struct Controls {
 
 /// What the assist carries from tick to tick. Plain data, part of the aircraft's state.
 struct AssistMemory {
-    double climbAngle = 0.0;      // rad, the flight path that is held
-    double heldAltitude = 0.0;    // m, easy
-    double heldBank = 0.0;        // rad
-    double pitchIntegral = 0.0;   // rad/s of elevator work
+    double climbAngle = 0.0;        // rad, the flight path that is held
+    double heldAltitude = 0.0;      // m
+    double holdsAltitude = 0.0;     // 1 while heldAltitude is flown instead of climbAngle
+    double heldBank = 0.0;          // rad, held with the stick free and stabilizingRoll 0
+    double pitchIntegral = 0.0;     // of the commands, in shares of the travel
     double rollIntegral = 0.0;
     double yawIntegral = 0.0;
     double throttleIntegral = 0.0;
-    double holdsAltitude = 0.0;   // 1 while heldAltitude is flown
+    double startSpeed = 0.0;        // m/s calibrated, what easy holds with the lever where the start put it
 };
 }  // namespace luftpost::flight
