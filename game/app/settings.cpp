@@ -3,6 +3,7 @@
 namespace luftpost::app {
 core::SettingList settingList(Settings& settings) {
     core::SettingList list;
+    appendFlightSettings(list, settings.flight);
     core::appendSettings(list, settings.hud, ui::hudFields);
     core::appendSettings(list, settings.audio, audio::audioFields);
     return list;

@@ -2,15 +2,16 @@
 #pragma once
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
+#include "game/app/flight_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
 struct Settings {
-    audio::AudioSettings audio;
+    FlightSettings flight;
     ui::HudSettings hud;
+    audio::AudioSettings audio;
 };
 
-/// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where
-/// it is.
+/// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where it is.
 core::SettingList settingList(Settings& settings);
 }  // namespace luftpost::app
