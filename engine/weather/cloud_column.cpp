@@ -1,0 +1,152 @@
+#include "engine/weather/cloud_column.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/weather/cloud_cover_table.h"
+#include "engine/weather/genera.h"
+#include "shaders/lib/cloud.glsl"
+
+namespace luftpost::weather {
+namespace {
+constexpr float kEmpty = -1.0f;   // no rank, however frayed, is below it
+constexpr float kClosed = 1.3f;   // every rank is, by far
+
+/// How a genus is formed; the columns are LayerShape's form and look.
+struct Form {
+    float domeWidth, lens, carve, detail;
+    float softness, fray;
+    bool sheet;
+    double along, across;  // m, period of the fibres' grain
+};
+constexpr std::array<Form, kGenera> kForms{{
+    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, true, 30000.0, 2600.0},
+    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, true, 3800.0, 2900.0},
+    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, true, 36000.0, 5200.0},
+    /* Ac */ {0.28f, 0.35f, 0.42f, 0.30f, 0.35f, 0.06f, false, 0.0, 0.0},
+    /* As */ {0.12f, 0.40f, 0.16f, 0.10f, 0.60f, 0.05f, false, 0.0, 0.0},
+    /* Ns */ {0.10f, 0.10f, 0.14f, 0.12f, 0.50f, 0.04f, false, 0.0, 0.0},
+    /* Sc */ {0.35f, 0.12f, 0.38f, 0.25f, 0.22f, 0.05f, false, 0.0, 0.0},
+    /* St */ {0.12f, 0.15f, 0.25f, 0.25f, 0.45f, 0.06f, false, 0.0, 0.0},
+    /* Cu */ {0.34f, 0.0f, 0.58f, 0.26f, 0.10f, 0.05f, false, 0.0, 0.0},
+    /* Cb */ {0.36f, 0.0f, 0.46f, 0.22f, 0.08f, 0.04f, false, 0.0, 0.0},
+    /* fog */ {0.12f, 0.0f, 0.20f, 0.10f, 0.80f, 0.06f, false, 0.0, 0.0},
+}};
+Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
+
+constexpr double kAnchorPeriod = glsl::kShapePeriod;  // m: the periods of curl and detail divide it
+constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
+constexpr double kDetailPace = 1.08;                  // the detail drifts faster than the clouds it eats at
+constexpr double kDetailRise = 900.0;                 // m/h, the boiling of the edges
+
+double wrapped(double v, double period) { return v - period * std::floor(v / period); }
+
+bool precipitates(Genus genus) { return genus == Genus::Ns || genus == Genus::Cb || genus == Genus::Cu || genus == Genus::Sc || genus == Genus::St; }
+
+float rainedWater(Layer const& layer, Weather const& weather) {
+    double const rate = weather.precipitation == Precipitation::None ? 0.0 : weather.precipitationRate;
+    double const thickening = precipitates(layer.genus) ? 1.0 + 0.15 * std::min(rate, 8.0) : 1.0;
+    return static_cast<float>(layer.water * thickening);
+}
+
+glsl::LayerColumn emptyLayer() { return {1.0f, kEmpty, -1.0e5f, -1.0e5f + 1.0f, 0.0f}; }
+
+/// Anchor of a noise of `period` m, after a drift in m east and north.
+glm::vec3 anchorOf(glm::dvec2 const& origin, glm::dvec2 const& drift, double rise, double period) {
+    return {static_cast<float>(wrapped(origin.x - drift.x, period)), static_cast<float>(wrapped(-rise, period)),
+            static_cast<float>(wrapped(drift.y - origin.y, period))};
+}
+
+/// Fibres along the pattern's axis, their grain a whole number of times in the period of the anchor.
+void layFibres(glsl::LayerShape& shape, Form const& form, LayerPattern const& pattern, double scale) {
+    glm::vec2 const axis = pattern.axis();
+    double const longest = std::max(std::abs(axis.x), std::abs(axis.y));
+    double const shortest = std::min(std::abs(axis.x), std::abs(axis.y));
+    // The axis is (a, b) / |ab| of small whole numbers: |ab| / period steps it by whole periods.
+    double const wholes = shortest < 1e-6 ? 1.0 : 1.0 / (shortest > 0.9 * longest ? longest : shortest);
+    auto const perMetre = [&](double metres) {
+        return static_cast<float>(std::max(1.0, std::round(kSheetPeriod / (metres * wholes))) * wholes / (kSheetPeriod * scale));
+    };
+    shape.fibre = {axis.x, -axis.y, perMetre(form.along), perMetre(form.across)};
+    shape.anchor.w = static_cast<float>(std::round(kSheetPeriod / 8000.0) / (kSheetPeriod * scale));
+}
+}  // namespace
+
+float calibratedCover(Genus genus, float cover, float thickness) {
+    using namespace table;
+    if (!(cover > 0.0f)) return kEmpty;
+    if (cover >= 1.0f) return kClosed;
+    auto const& rows = kThresholds[static_cast<std::size_t>(genus)];
+    // Between two thicknesses of the table, and within each between two covers.
+    std::size_t row = 0;
+    while (row + 2 < kThicknesses.size() && thickness > kThicknesses[row + 1]) ++row;
+    float const down = std::clamp((thickness - kThicknesses[row]) / (kThicknesses[row + 1] - kThicknesses[row]), 0.0f, 1.0f);
+    auto const threshold = [&](std::size_t column) {
+        return rows[row][column] + down * (rows[row + 1][column] - rows[row][column]);
+    };
+    if (cover <= kCovers.front()) return threshold(0) * cover / kCovers.front();
+    if (cover >= kCovers.back()) {
+        float const share = (cover - kCovers.back()) / (1.0f - kCovers.back());
+        return threshold(kCovers.size() - 1) + share * (kClosed - threshold(kCovers.size() - 1));
+    }
+    std::size_t column = 0;
+    while (cover > kCovers[column + 1]) ++column;
+    float const share = (cover - kCovers[column]) / (kCovers[column + 1] - kCovers[column]);
+    return threshold(column) + share * (threshold(column + 1) - threshold(column));
+}
+
+CloudColumns::CloudColumns(Weather const& weather, unsigned seed, CloudSettings const& settings)
+    : scale_{static_cast<double>(settings.weatherScale)} {
+    for (int i = 0; i < glsl::kCloudLayers; ++i) bare_.layers[i] = emptyLayer();
+    bare_.rain = weather.precipitation == Precipitation::None ? 0.0f : static_cast<float>(weather.precipitationRate);
+    for (int i = 0; i < std::min(weather.layerCount, glsl::kCloudLayers); ++i) {
+        Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
+        float const cover = calibratedCover(layer.genus, layer.cover, layer.top - layer.base);
+        bare_.layers[i] = {1.0f, cover - settings.densityThreshold, layer.base + settings.height,
+                           std::max(layer.top, layer.base + 20.0f) + settings.height, rainedWater(layer, weather) * settings.sigma};
+        patterns_.emplace_back(layer, seed);
+    }
+}
+
+glsl::CloudColumn CloudColumns::at(double east, double north) const {
+    glsl::CloudColumn column = bare_;
+    for (int i = 0; i < layerCount(); ++i) {
+        LayerPattern const& pattern = patterns_[static_cast<std::size_t>(i)];
+        column.layers[i].rank = pattern.drifting((east - pattern.drift().x) / scale_, (north - pattern.drift().y) / scale_);
+    }
+    return column;
+}
+
+glsl::CloudColumn cloudColumn(Field const& field, double east, double north, core::UtcSeconds time, unsigned seed) {
+    return CloudColumns{field.at(east, north, time), seed}.at(east, north);
+}
+
+glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 const& originEastNorth,
+                            CloudSettings const& settings) {
+    glsl::CloudShape result;
+    for (int i = 0; i < glsl::kCloudLayers; ++i) {
+        glsl::LayerShape& shape = result.layers[i];
+        shape = {};
+        shape.look.x = 1.0f;
+        shape.form.x = 1.0f;
+        if (i >= weather.layerCount) continue;
+        Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
+        Form const& form = formOf(layer.genus);
+        GenusRow const& row = genusRow(layer.genus);
+        double const grams = row.ice ? 917.0 : 1000.0;  // kg/m3, ice or water
+        shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
+        shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, static_cast<float>(1.5 / (grams * row.radius))};
+        double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale);
+        double const rise = layer.phase * kDetailRise;
+        shape.anchor = glm::vec4{anchorOf(originEastNorth, layer.drift, 0.0, (form.sheet ? kSheetPeriod : kAnchorPeriod) * scale),
+                                 static_cast<float>(1.0 / (glsl::kShapePeriod * scale))};
+        shape.detail = glm::vec4{anchorOf(originEastNorth, layer.drift * kDetailPace, rise, glsl::kDetailPeriod * scale),
+                                 static_cast<float>(1.0 / (glsl::kDetailPeriod * scale))};
+        if (form.sheet) layFibres(shape, form, LayerPattern{layer, seed}, scale);
+        shape.wind = {static_cast<float>(layer.wind.x), static_cast<float>(-layer.wind.y),
+                      static_cast<float>(0.02 * layer.wind.x), static_cast<float>(-0.02 * layer.wind.y)};
+        shape.extent = {layer.base + settings.height, std::max(layer.top, layer.base + 20.0f) + settings.height, 1.0f, 0.0f};
+    }
+    return result;
+}
+}  // namespace luftpost::weather

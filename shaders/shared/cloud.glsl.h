@@ -1,0 +1,44 @@
+// Clouds as C++ and GLSL share them: what stands over a point, what a layer looks like, and the block of the passes.
+// Metres above sea level, 1/m, kg/m3. The structs of the block hold vec4s alone: std140 and C++ lay them out alike.
+#ifndef LUFTPOST_CLOUD_GLSL_H
+#define LUFTPOST_CLOUD_GLSL_H
+#include "shaders/shared/language.glsl.h"
+GLSL_BEGIN
+
+GLSL_CONST int kCloudLayers = 4;
+
+// One layer over one point.
+struct LayerColumn {
+    float rank;   // u, 0..1: cloud where it is below `cover`
+    float cover;  // the threshold of the rank: the layer's cover, calibrated (weather/cloud_column)
+    float base;
+    float top;
+    float water;  // kg/m3 in the core
+};
+
+// What stands over one point. Layers beyond the weather's have cover -1 and no extent.
+struct CloudColumn {
+    LayerColumn layers[kCloudLayers];
+    float rain;   // mm/h on the ground below
+};
+
+// What a layer looks like, wherever it stands: its genus' form, and where its noise lies.
+struct LayerShape {
+    vec4 form;    // x: margin of the rank at which a top reaches full height; y: share by which thin parts rise from the
+                  // base; z: how far billows carve (share of the height); w: how far the detail does
+    vec4 look;    // x: softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction of
+                  // one kg/m3
+    vec4 anchor;  // xyz: m, add to a position to come to the frame that drifts with the layer (wrapped); w: 1/m, periods
+                  // of the shape volume
+    vec4 detail;  // the same of the detail volume, which drifts a little faster
+    vec4 fibre;   // xy: unit vector along fibres, east and south; z: 1/m along them; w: 1/m across
+    vec4 wind;    // xy: m/s east and south; zw: m of skew per m of height, east and south
+    vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: anvil, 0..1
+};
+
+struct CloudShape {
+    LayerShape layers[kCloudLayers];
+};
+
+GLSL_END
+#endif
