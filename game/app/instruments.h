@@ -7,7 +7,7 @@
 
 namespace luftpost::app {
 /// The aircraft that everyone flies, in the product's data.
-inline constexpr std::string_view kAirframeFile = "assets/airframes/bush_plane.json";
+inline constexpr std::string_view kAirframeFile = "assets/airframes/mail_plane.json";
 
 /// The state of this tick; prompts, messages, camera and the player's size are left to the frame.
 ui::HudState instruments(Simulation const& simulation);

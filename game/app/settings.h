@@ -12,6 +12,7 @@ struct Settings {
     audio::AudioSettings audio;
 };
 
-/// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where it is.
+/// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where
+/// it is.
 core::SettingList settingList(Settings& settings);
 }  // namespace luftpost::app

@@ -4,9 +4,9 @@
 
 namespace luftpost::app {
 World::World(std::string const& source, core::Place const& place, unsigned seed)
-    : place_{place},
-      land_{seed, place.altitude_m},
-      ground_{[this](double east, double north) { return land_.ground(east, north); }} {
+    : place_{place}, land_{seed, place.altitude_m}, ground_{[this](double east, double north) {
+          return land_.ground(east, north);
+      }} {
     loadWeather(source);
     useWeather(source);
 }

@@ -14,9 +14,8 @@ namespace luftpost::app {
 /// fields may be asked from any thread.
 class World {
 public:
-    /// `source` as --weather takes it; empty is the bundled recording. Throws core::Error where it cannot be
-    /// loaded.
-    World(std::string const& source, std::optional<weather::PlaceWish> const& place, unsigned seed);
+    /// `source` as --weather takes it (not empty). Throws core::Error where it cannot be loaded.
+    World(std::string const& source, core::Place const& place, unsigned seed);
     World(World const&) = delete;
     World& operator=(World const&) = delete;
 
