@@ -10,6 +10,7 @@
 #include "engine/platform/paths.h"
 #include "game/app/instruments.h"
 #include "game/app/player_files.h"
+#include "game/ui/input_csv.h"
 
 namespace luftpost::app {
 namespace {
@@ -33,16 +34,16 @@ void checkOutputs(PlayTexts const& texts) {
 
 RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
     checkOutputs(texts);
-    RunOptions run{.headless = texts.headless || texts.noRender,
-                   .noRender = texts.noRender,
-                   .size = common.size,
-                   .settings = common.settings,
-                   .log = texts.log,
-                   .report = texts.report,
-                   .screenshot = texts.screenshot,
-                   .saveReplay = texts.saveReplay,
-                   .saveWeather = texts.saveWeather,
-                   .save = texts.save};
+    RunOptions run;
+    run.headless = texts.headless || texts.noRender;
+    run.noRender = texts.noRender;
+    run.size = common.size;
+    run.log = texts.log;
+    run.report = texts.report;
+    run.screenshot = texts.screenshot;
+    run.saveReplay = texts.saveReplay;
+    run.saveWeather = texts.saveWeather;
+    run.save = texts.save;
     if (run.noRender && !run.screenshot.empty())
         throw core::Error{"--screenshot", "", "expected not with --no-render, which draws nothing"};
     if (!texts.seconds.empty()) {

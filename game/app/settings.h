@@ -2,12 +2,16 @@
 #pragma once
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
+#include "engine/render/graphics_settings.h"
+#include "engine/weather/cloud_settings.h"
 #include "game/app/flight_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
 struct Settings {
     FlightSettings flight;
+    weather::CloudSettings clouds;
+    render::GraphicsSettings graphics;
     ui::HudSettings hud;
     audio::AudioSettings audio;
 };

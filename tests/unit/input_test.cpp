@@ -115,7 +115,7 @@ TEST(InputFile, NamesFileRowColumnAndExpectation) {
     EXPECT_EQ(complaint(header + "0,0,0\n"), "in.csv:2: expected 8 columns, found 3");
     EXPECT_EQ(complaint(header + "2,,,,,,,\n1,,,,,,,\n"),
               "in.csv:3: t_s: expected a time not before 2, found 1");
-    EXPECT_EQ(complaint(header + ",,,,,,,\n"), "in.csv:2: t_s: expected a number 0..1e+06, found nothing");
+    EXPECT_EQ(complaint(header + ",,,,,,,\n"), "in.csv:2: t_s: expected a number 0..1000000, found nothing");
     EXPECT_NE(complaint("t,throttle\n").find("in.csv:1: header: expected t_s,throttle"), std::string::npos);
     EXPECT_NE(complaint("").find("in.csv:1: header"), std::string::npos);
     EXPECT_NE(complaint(header + "0,nan,,,,,,\n").find("throttle"), std::string::npos);
