@@ -56,10 +56,10 @@ private:
     };
     static StreamerOptions options(int workers, std::size_t capBytes);
     void takeIn(DrawList& list, std::size_t budget);
-    void request(std::vector<Wanted> const& wanted);
+    void request(std::vector<Wanted> const& wanted, bool onlyInView);
     HeightBounds bounds(ChunkKey key) const;
     std::vector<Wanted> wanted(CameraView const& view, double aboveGround);
-    DrawList updateWithin(CameraView const& view, std::size_t budget, bool& complete);
+    DrawList updateWithin(CameraView const& view, std::size_t budget, bool onlyInView, bool& complete);
 
     Land const& land_;
     StreamerOptions options_;
