@@ -15,7 +15,7 @@ struct GridVertex {
     std::uint8_t east, north, foot, unused = 0;
 };
 
-/// Vertices in rows, then the skirt's feet: south, north, west and east side.
+/// Vertices in rows, then the feet of the skirts under the lines 0, half and whole: three along the rows, three across.
 std::vector<GridVertex> gridVertices(int stride) {
     std::vector<GridVertex> vertices;
     auto const add = [&](int x, int y, int foot) {
@@ -23,31 +23,32 @@ std::vector<GridVertex> gridVertices(int stride) {
     };
     for (int y = 0; y <= kChunkCells; y += stride)
         for (int x = 0; x <= kChunkCells; x += stride) add(x, y, 0);
-    for (int x = 0; x <= kChunkCells; x += stride) add(x, 0, 1);
-    for (int x = 0; x <= kChunkCells; x += stride) add(x, kChunkCells, 1);
-    for (int y = 0; y <= kChunkCells; y += stride) add(0, y, 1);
-    for (int y = 0; y <= kChunkCells; y += stride) add(kChunkCells, y, 1);
+    for (int line = 0; line <= kChunkCells; line += kChunkCells / 2)
+        for (int x = 0; x <= kChunkCells; x += stride) add(x, line, 1);
+    for (int line = 0; line <= kChunkCells; line += kChunkCells / 2)
+        for (int y = 0; y <= kChunkCells; y += stride) add(line, y, 1);
     return vertices;
 }
 
-/// Two triangles a cell, split along the diagonal from south-west to north-east, on which odd vertices slide.
+/// Two triangles a cell, split along the diagonal from south-west to north-east, on which odd vertices slide. Every
+/// quarter has a skirt on its four sides, since its neighbour may be of another level.
 std::vector<std::uint16_t> gridIndices(int stride) {
     int const cells = kChunkCells / stride, side = cells + 1, half = cells / 2;
     std::vector<std::uint16_t> indices;
     auto const quad = [&](int a, int b, int c, int d) {  // a b / c d from south-west, counter-clockwise from above
         for (int index : {a, b, d, a, d, c}) indices.push_back(static_cast<std::uint16_t>(index));
     };
-    int const feet = side * side;
     for (int quarter = 0; quarter < 4; ++quarter) {
-        int const x0 = (quarter & 1) * half, y0 = (quarter >> 1) * half;
+        int const east = quarter & 1, north = quarter >> 1, x0 = east * half, y0 = north * half;
         for (int y = y0; y < y0 + half; ++y)
             for (int x = x0; x < x0 + half; ++x) quad(y * side + x, y * side + x + 1, (y + 1) * side + x, (y + 1) * side + x + 1);
+        int const south = (side + north) * side, far = south + side, west = (side + 3 + east) * side, right = west + side;
         for (int i = 0; i < half; ++i) {
-            int const x = x0 + i, y = y0 + i;
-            if (y0 == 0) quad(feet + x, feet + x + 1, x, x + 1);
-            else quad(cells * side + x, cells * side + x + 1, feet + side + x, feet + side + x + 1);
-            if (x0 == 0) quad(feet + 2 * side + y, y * side, feet + 2 * side + y + 1, (y + 1) * side);
-            else quad(y * side + cells, feet + 3 * side + y, (y + 1) * side + cells, feet + 3 * side + y + 1);
+            int const x = x0 + i, y = y0 + i, top = (y0 + half) * side, end = x0 + half;
+            quad(south + x, south + x + 1, y0 * side + x, y0 * side + x + 1);
+            quad(top + x, top + x + 1, far + x, far + x + 1);
+            quad(west + y, y * side + x0, west + y + 1, (y + 1) * side + x0);
+            quad(y * side + end, right + y, (y + 1) * side + end, right + y + 1);
         }
     }
     return indices;
@@ -105,7 +106,8 @@ void LandScene::update(FrameContext const& context) {
     bool const first = !land_ || land_->seed() != snapshot.seed || land_->base() != snapshot.place.altitude_m || streamer_->options().step != step;
     if (first) startOver(snapshot, step);
     terrain::CameraView const view = cameraView(snapshot.camera, context.targets.size);
-    take(first || snapshot.still ? streamer_->finish(view) : streamer_->update(view));
+    take(snapshot.still ? streamer_->finish(view) : streamer_->update(view));
+    if (!list_.whole) take(streamer_->finishKept(view));  // the first frame, or a jump across the world
     chooseMesh(snapshot.graphics.triangles);
     fillBlock(context);
 }

@@ -14,20 +14,28 @@ public:
         snapshot_.place.altitude_m = 316.0;
     }
 
+    /// Draws. A still waits for every chunk.
     void look(glm::dvec3 const& position, double azimuth, double elevation, double fov, bool still) {
+        aim(position, azimuth, elevation, fov, still);
+        draw();
+    }
+    /// Looks without drawing: chunks are asked for and taken in.
+    void aim(glm::dvec3 const& position, double azimuth, double elevation, double fov, bool still) {
         snapshot_.still = still;
         snapshot_.camera.positionWorld = position;
         snapshot_.camera.horizontalFov = fov;
         snapshot_.camera.worldFromCamera =
             glm::angleAxis(-azimuth, glm::dvec3{0.0, 1.0, 0.0}) * glm::angleAxis(elevation, glm::dvec3{1.0, 0.0, 0.0});
         fillFrame();
+        scene_.update(FrameContext{snapshot_, frame_, targets_});
+    }
+    void draw() {
         FrameContext const context{snapshot_, frame_, targets_};
         targets_.opaque.bind();
         targets_.opaque.clearColour(0, {1.0f, 0.0f, 1.0f, 0.0f});
         targets_.opaque.clearDepth();
         buffer_.update(gl::bytesOf(frame_));
         buffer_.bindUniform(0);
-        scene_.update(context);
         pass_.draw(context, scene_);
     }
 
