@@ -2,18 +2,12 @@
 #pragma once
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
-#include "engine/render/graphics_settings.h"
-#include "engine/weather/cloud_settings.h"
-#include "game/app/flight_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
 struct Settings {
-    FlightSettings flight;
-    weather::CloudSettings clouds;
-    render::GraphicsSettings graphics;
-    ui::HudSettings hud;
     audio::AudioSettings audio;
+    ui::HudSettings hud;
 };
 
 /// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where
