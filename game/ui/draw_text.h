@@ -11,9 +11,9 @@
 namespace luftpost::ui {
 namespace colour {
 inline constexpr ImU32 kPaper = IM_COL32(250, 245, 230, 255);
-inline constexpr ImU32 kFaint = IM_COL32(214, 208, 192, 255);
+inline constexpr ImU32 kFaint = IM_COL32(228, 222, 206, 255);
 inline constexpr ImU32 kInk = IM_COL32(16, 18, 22, 255);
-inline constexpr ImU32 kPlate = IM_COL32(14, 18, 24, 148);
+inline constexpr ImU32 kPlate = IM_COL32(14, 18, 24, 172);
 inline constexpr ImU32 kHalo = IM_COL32(8, 10, 14, 205);
 inline constexpr ImU32 kYellow = IM_COL32(252, 196, 44, 255);
 inline constexpr ImU32 kBlue = IM_COL32(20, 98, 232, 255);

@@ -140,7 +140,7 @@ void setStyle(float scale) {
     // Ink blue-black, paper, post yellow: the colours of the aircraft at dusk.
     unsigned const ink = 0x14181f, paper = 0xf7f0de, yellow = 0xfaba16, slate = 0x2b323d, steel = 0x3b4554;
     set(ImGuiCol_Text, paper, 1.0f), set(ImGuiCol_TextDisabled, 0xa9a494, 1.0f);
-    set(ImGuiCol_WindowBg, ink, 0.90f), set(ImGuiCol_PopupBg, ink, 0.97f), set(ImGuiCol_ChildBg, ink, 0.0f);
+    set(ImGuiCol_WindowBg, ink, 0.93f), set(ImGuiCol_PopupBg, ink, 0.97f), set(ImGuiCol_ChildBg, ink, 0.0f);
     set(ImGuiCol_Border, yellow, 0.22f), set(ImGuiCol_Separator, paper, 0.14f);
     set(ImGuiCol_FrameBg, slate, 0.95f), set(ImGuiCol_FrameBgHovered, steel, 1.0f), set(ImGuiCol_FrameBgActive, steel, 1.0f);
     set(ImGuiCol_TitleBg, ink, 0.95f), set(ImGuiCol_TitleBgActive, 0x1c222c, 1.0f);
@@ -149,6 +149,7 @@ void setStyle(float scale) {
     set(ImGuiCol_SliderGrab, yellow, 1.0f), set(ImGuiCol_SliderGrabActive, 0xffd560, 1.0f), set(ImGuiCol_CheckMark, yellow, 1.0f);
     set(ImGuiCol_Tab, slate, 1.0f), set(ImGuiCol_TabHovered, 0x8f6a0e, 1.0f), set(ImGuiCol_TabActive, 0x8f6a0e, 1.0f);
     set(ImGuiCol_ScrollbarBg, ink, 0.0f), set(ImGuiCol_ScrollbarGrab, steel, 1.0f), set(ImGuiCol_NavHighlight, yellow, 0.9f);
+    set(ImGuiCol_ResizeGrip, yellow, 0.25f), set(ImGuiCol_ResizeGripHovered, yellow, 0.6f), set(ImGuiCol_ResizeGripActive, yellow, 0.9f);
     ImGui::GetStyle() = style;
 }
 }  // namespace
