@@ -9,9 +9,11 @@
 
 namespace luftpost::flight {
 TEST(AirframeFuzz, AnyDamageIsReadOrRefusedAndNeverACrash) {
-    std::string const whole = core::readFile(std::string{LUFTPOST_SOURCE_DIR} + "/assets/airframes/mail_plane.json");
+    std::string const whole =
+        core::readFile(std::string{LUFTPOST_SOURCE_DIR} + "/assets/airframes/mail_plane.json");
     std::mt19937 random{11};
-    std::string const pieces[] = {"{", "}", "[", "]", ",", ":", "\"", "null", "true", "-", "1e999", "-1e308", "0", "[[[["};
+    std::string const pieces[] = {"{",    "}",    "[", "]",     ",",      ":", "\"",
+                                  "null", "true", "-", "1e999", "-1e308", "0", "[[[["};
     int refused = 0;
     for (int round = 0; round < 3000; ++round) {
         std::string text = whole;
@@ -19,10 +21,18 @@ TEST(AirframeFuzz, AnyDamageIsReadOrRefusedAndNeverACrash) {
         for (int i = 0; i < changes; ++i) {
             std::size_t const at = random() % text.size();
             switch (random() % 4) {
-                case 0: text[at] = static_cast<char>(random() % 256); break;
-                case 1: text.erase(at, 1 + random() % 40); break;
-                case 2: text.insert(at, pieces[random() % std::size(pieces)]); break;
-                default: text.resize(at + 1); break;
+                case 0:
+                    text[at] = static_cast<char>(random() % 256);
+                    break;
+                case 1:
+                    text.erase(at, 1 + random() % 40);
+                    break;
+                case 2:
+                    text.insert(at, pieces[random() % std::size(pieces)]);
+                    break;
+                default:
+                    text.resize(at + 1);
+                    break;
             }
         }
         try {
