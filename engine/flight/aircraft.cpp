@@ -137,10 +137,11 @@ void takeReadings(Airframe const& airframe, AircraftState& state, MassProperties
     glm::dvec3 const& v = state.velocityWorld;
     now.groundSpeed = std::sqrt(v.x * v.x + v.z * v.z);
     now.climb = v.y;
-    now.height = wheelHeight(airframe, state, masses, below);
     now.mass = masses.mass;
     now.onGround = false;
     for (WheelState const& wheel : state.wheels) now.onGround = now.onGround || wheel.contact;
+    double const height = wheelHeight(airframe, state, masses, below);
+    now.height = now.onGround ? std::max(height, 0.0) : height;  // a sprung leg is no depth
 }
 
 void judgeContact(AircraftState& state, Airframe const& airframe, GroundLoads const& ground, int strike) {
@@ -203,6 +204,7 @@ void Aircraft::begin(core::AirSample const& air, core::GroundFunction const& gro
     if (!state_.readings.onGround) state_.readings.loadFactor = loads.loads.force.y / (masses.mass * core::kGravity);
     state_.assist.holdsAltitude = 1.0;
     state_.assist.heldAltitude = state_.positionWorld.y;
+    state_.assist.startSpeed = state_.readings.cas;
 }
 
 void Aircraft::startInAir(glm::dvec3 const& positionWorld, double heading, double tas,

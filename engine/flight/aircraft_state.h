@@ -93,7 +93,7 @@ void forEachNumber(AircraftState const& s, Take&& take) {
     controls(s.trim), controls(s.commands), controls(s.surfaces);
     AssistMemory const& a = s.assist;
     for (double value : {a.climbAngle, a.heldAltitude, a.holdsAltitude, a.heldBank, a.pitchIntegral, a.rollIntegral,
-                         a.yawIntegral, a.throttleIntegral})
+                         a.yawIntegral, a.throttleIntegral, a.startSpeed})
         take(value);
     for (StripState const& strip : s.strips) take(strip.separation), vector(strip.windWorld);
     for (WheelState const& wheel : s.wheels) take(wheel.compression), take(wheel.contact ? 1.0 : 0.0);

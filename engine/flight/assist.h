@@ -28,5 +28,6 @@ struct AssistMemory {
     double rollIntegral = 0.0;
     double yawIntegral = 0.0;
     double throttleIntegral = 0.0;
+    double startSpeed = 0.0;        // m/s calibrated, what easy holds with the lever where the start put it
 };
 }  // namespace luftpost::flight

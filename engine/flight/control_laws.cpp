@@ -45,7 +45,7 @@ double stallAlpha(Flight const& f) {
     for (StripData const& strip : f.airframe.strips) {
         if (strip.place != StripPlace::wing) continue;
         double const flap = strip.surface == ControlSurface::flap ? f.state.surfaces.flaps * f.airframe.flapTravel : 0.0;
-        least = std::min(least, strip.stallAngle - 0.5 * strip.stallWidth - strip.surfaceStall * flap - strip.incidence);
+        least = std::min(least, strip.stallAngle - 0.35 * strip.stallWidth - strip.surfaceStall * flap - strip.incidence);
     }
     return least;
 }
@@ -53,25 +53,38 @@ double stallAlpha(Flight const& f) {
 /// Elevator that flies the load factor `wanted`, never past the stall.
 double elevatorForLoad(Flight const& f, double wanted, AssistMemory& memory) {
     double const slope = loadFactorSlope(f);
-    double const guard = stallAlpha(f) - radiansOf(1.0);
+    double const guard = stallAlpha(f) - radiansOf(0.5);
     double const alpha =
         std::clamp(f.now.alpha + (std::clamp(wanted, -1.5, 4.5) - f.now.loadFactor) / slope, radiansOf(-10.0), guard);
     double const load = f.now.loadFactor + (alpha - f.now.alpha) * slope;
     double const turning = std::clamp(
         (load - core::cos(f.now.pitch) * core::cos(f.now.roll)) * core::kGravity / f.speed, -1.0, 1.0);
     double const error = alpha - f.now.alpha;
-    double const command = f.state.trim.elevator + memory.pitchIntegral + 2.5 * error +
-                           0.6 * f.gain * (turning - f.now.pitchRate);
+    double const command = f.state.trim.elevator + memory.pitchIntegral + 6.0 * error +
+                           1.0 * f.gain * (turning - f.now.pitchRate);
     if (std::abs(command) < 1.0 || command * error < 0.0)
-        memory.pitchIntegral = std::clamp(memory.pitchIntegral + 3.0 * error * f.dt, -1.5, 1.5);
+        memory.pitchIntegral = std::clamp(memory.pitchIntegral + 6.0 * error * f.dt, -1.5, 1.5);
     return std::clamp(command, -1.0, 1.0);
 }
 
-/// Load factor that turns the path toward `climbAngle` and, in a bank, round.
-double loadForPath(Flight const& f, double climbAngle) {
-    double const turn = 1.2 * (climbAngle - f.climbAngle);
-    double const upward = core::cos(f.climbAngle) + f.speed * std::clamp(turn, -0.25, 0.25) / core::kGravity;
+/// Load factor that turns the path toward `climbAngle`, in a bank round as well; at most `fastest` rad/s.
+double loadForPath(Flight const& f, double climbAngle, double fastest = 0.2) {
+    double const turn = std::clamp(1.2 * (climbAngle - f.climbAngle), -fastest, fastest);
+    double const upward = core::cos(f.climbAngle) + f.speed * turn / core::kGravity;
     return upward / std::max(core::cos(f.now.roll), 0.45);
+}
+
+double stallSpeed(Flight const& f) {
+    return f.airframe.stallSpeed + f.state.surfaces.flaps * (f.airframe.stallSpeedFlaps - f.airframe.stallSpeed);
+}
+
+/// Keeps a load factor from taking the path where the speed would run out, up or down. Near the ground, where one
+/// lands, it may be slow.
+double guardedLoad(Flight const& f, double load) {
+    double const margin = f.now.height < kFlareHeight ? 1.0 : 1.25, stall = stallSpeed(f);
+    double const steepest = std::clamp(1.2 * (f.now.cas / stall - margin), -0.2, radiansOf(50.0));
+    double const dive = std::clamp((f.now.cas - 0.97 * f.airframe.neverExceedSpeed) / 20.0, radiansOf(-60.0), 0.1);
+    return std::clamp(load, loadForPath(f, dive, 0.4), std::max(loadForPath(f, steepest, 0.4), loadForPath(f, dive, 0.4)));
 }
 
 /// The climb angle that brings the held altitude back.
@@ -82,7 +95,7 @@ double angleToAltitude(Flight const& f, double altitude, double most) {
 double aileronForRate(Flight const& f, double rate, AssistMemory& memory) {
     double const error = rate - f.now.rollRate;
     double const command =
-        f.state.trim.aileron + memory.rollIntegral + f.gain * (0.75 * rate + 0.35 * error);
+        f.state.trim.aileron + memory.rollIntegral + f.gain * (0.82 * rate + 0.35 * error);
     if (std::abs(command) < 1.0 || command * error < 0.0)
         memory.rollIntegral = std::clamp(memory.rollIntegral + 0.8 * f.gain * error * f.dt, -0.5, 0.5);
     return std::clamp(command, -1.0, 1.0);
@@ -97,11 +110,11 @@ double guardedRollRate(double rate, double bank, double limit) {
 double rudderForTurn(Flight const& f, double pedal, AssistMemory& memory) {
     double const coordinated = core::kGravity / f.speed * core::sin(f.now.roll) * core::cos(f.now.pitch);
     double const wanted = f.settings.inducedYawFactor * coordinated + pedal * radiansOf(f.settings.yawSpeed_dps);
-    double const error = wanted - f.now.yawRate;
     // The ball is centred as far as the turn is flown unasked, and while the pedal is left alone.
     double const centring = (1.0 - std::min(std::abs(f.settings.inducedYawFactor - 1.0), 1.0)) *
-                            (std::abs(pedal) < kStickFree ? 1.5 : 0.0);
-    double const command = f.state.trim.rudder + memory.yawIntegral + 2.0 * f.gain * error + centring * f.now.beta;
+                            (std::abs(pedal) < kStickFree ? 1.0 : 0.0);
+    double const error = wanted - f.now.yawRate + centring * f.now.beta;
+    double const command = f.state.trim.rudder + memory.yawIntegral + 2.0 * f.gain * error;
     if (std::abs(command) < 1.0 || command * error < 0.0)
         memory.yawIntegral = std::clamp(memory.yawIntegral + 1.0 * f.gain * error * f.dt, -1.0, 1.0);
     return std::clamp(command, -1.0, 1.0);
@@ -109,14 +122,18 @@ double rudderForTurn(Flight const& f, double pedal, AssistMemory& memory) {
 
 /// With a wheel on the ground the stick is the surfaces, the pedals steer with a damper, and the memory follows, so
 /// that the hand-over at lift-off is smooth.
-SurfaceCommands groundCommands(Flight const& f, AssistMemory& memory) {
+SurfaceCommands groundCommands(Flight const& f, bool easy, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
     out.elevator = std::clamp(f.state.trim.elevator + f.stick.elevator, -1.0, 1.0);
     out.aileron = std::clamp(f.stick.aileron - 1.5 * f.now.roll, -1.0, 1.0);
     double const wanted = f.stick.rudder * radiansOf(f.settings.yawSpeed_dps);
-    out.rudder = std::clamp(0.6 * f.stick.rudder + 1.2 * (wanted - f.now.yawRate), -1.0, 1.0);
-    memory = AssistMemory{};
-    memory.climbAngle = f.climbAngle;
+    double const error = wanted - f.now.yawRate;
+    out.rudder = std::clamp(0.6 * f.stick.rudder + 1.2 * error + memory.yawIntegral, -1.0, 1.0);
+    double const yawIntegral = f.now.groundSpeed > 2.0
+                                   ? std::clamp(memory.yawIntegral + 2.0 * error * f.dt, -0.6, 0.6)
+                                   : 0.0;
+    if (easy && f.stick.throttle < 0.05) out.brakes = std::max(out.brakes, 0.4);  // landed: it stops by itself
+    memory = AssistMemory{.climbAngle = f.climbAngle, .yawIntegral = yawIntegral, .startSpeed = memory.startSpeed};
     memory.pitchIntegral = out.elevator - f.state.trim.elevator;
     return out;
 }
@@ -141,10 +158,7 @@ SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
     if (std::abs(f.stick.elevator) >= kStickFree) {
         double const rate = f.stick.elevator * radiansOf(f.settings.pitchSpeed_dps);
         pull = f.speed * rate / core::kGravity;
-        memory.climbAngle = std::clamp(f.climbAngle + 0.25 * rate, radiansOf(-60.0), radiansOf(45.0));
-        // Past the steepest path the stick is met by the guard.
-        if (f.climbAngle > radiansOf(45.0)) pull = std::min(pull, 0.0);
-        if (f.climbAngle < radiansOf(-60.0)) pull = std::max(pull, 0.0);
+        memory.climbAngle = std::clamp(f.climbAngle + 0.25 * rate, radiansOf(-50.0), radiansOf(40.0));
         memory.holdsAltitude = 0.0;
     } else if (memory.holdsAltitude == 0.0 && std::abs(memory.climbAngle) < radiansOf(1.5)) {
         memory.holdsAltitude = 1.0;
@@ -152,8 +166,7 @@ SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
     }
     double const path = memory.holdsAltitude > 0.0 ? angleToAltitude(f, memory.heldAltitude, radiansOf(6.0))
                                                    : memory.climbAngle;
-    double const tooFast = std::clamp((f.now.cas - f.airframe.neverExceedSpeed) / 8.0, 0.0, 1.0);
-    out.elevator = elevatorForLoad(f, loadForPath(f, path) + pull + 1.5 * tooFast, memory);
+    out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path) + pull), memory);
     out.rudder = rudderForTurn(f, f.stick.rudder, memory);
     return out;
 }
@@ -161,7 +174,13 @@ SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
 /// The lever asks for a speed; the engine's power follows.
 double throttleForSpeed(Flight const& f, double climbAngle, AssistMemory& memory) {
     double const slowest = 1.35 * f.airframe.stallSpeed, fastest = 0.97 * f.airframe.cruiseLimitSpeed;
-    double const error = slowest + f.stick.throttle * (fastest - slowest) - f.now.cas;
+    // Where the start put the lever it asks for the speed of the start.
+    double const middle = std::clamp(f.state.trim.throttle / f.settings.maxThrottle, 0.05, 0.95);
+    double const atMiddle = std::clamp(memory.startSpeed, slowest, fastest);
+    double const lever = f.stick.throttle;
+    double const wanted = lever < middle ? slowest + lever / middle * (atMiddle - slowest)
+                                         : atMiddle + (lever - middle) / (1.0 - middle) * (fastest - atMiddle);
+    double const error = wanted - f.now.cas;
     double const climbing = f.now.mass * core::kGravity * f.speed * climbAngle / (0.7 * f.airframe.engine.power);
     double const command = f.state.trim.throttle + climbing + 0.08 * error + memory.throttleIntegral;
     if ((command < 1.0 || error < 0.0) && (command > 0.0 || error > 0.0))
@@ -183,31 +202,31 @@ double easyRollRate(Flight const& f, AssistMemory& memory) {
 }
 
 /// The path that easy flies: the stick's climb, else the altitude where it was let go; a soft arrival near the ground.
-double easyClimbAngle(Flight const& f, AssistMemory& memory) {
+double easyClimbAngle(Flight const& f, bool landing, AssistMemory& memory) {
     if (std::abs(f.stick.elevator) >= kStickFree) {
         double const wanted = f.stick.elevator * kEasyClimb, step = radiansOf(f.settings.pitchSpeed_dps) * f.dt;
         memory.climbAngle += std::clamp(wanted - memory.climbAngle, -step, step);
         memory.holdsAltitude = 0.0;
     } else {
-        if (memory.holdsAltitude == 0.0) memory.heldAltitude = f.state.positionWorld.y + 0.8 * f.state.velocityWorld.y;
+        if (memory.holdsAltitude == 0.0) memory.heldAltitude = f.state.positionWorld.y + 1.5 * f.state.velocityWorld.y;
         memory.holdsAltitude = 1.0;
         memory.climbAngle = angleToAltitude(f, memory.heldAltitude, kEasyClimb);
     }
-    // Too slow to hold it: down, before the guard has to.
-    double const spare = (f.now.cas - 1.15 * f.airframe.stallSpeed) / f.airframe.stallSpeed;
-    double path = std::min(memory.climbAngle, 1.2 * spare);
-    if (f.now.height < kFlareHeight)  // the sink that the height allows
-        path = std::max(path, -(0.7 + 0.22 * std::max(f.now.height, 0.0)) / f.speed);
+    double path = memory.climbAngle;
+    if (f.now.height < kFlareHeight) {  // the sink that the height allows; with the lever back it lands by itself
+        double const sink = -(0.5 + 0.2 * std::max(f.now.height, 0.0)) / f.speed;
+        path = landing && memory.holdsAltitude > 0.0 ? sink : std::max(path, sink);
+    }
     return path;
 }
 
 SurfaceCommands easyCommands(Flight const& f, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
     out.aileron = aileronForRate(f, guardedRollRate(easyRollRate(f, memory), f.now.roll, kNormalBankLimit), memory);
-    double const path = easyClimbAngle(f, memory);
-    out.elevator = elevatorForLoad(f, loadForPath(f, path), memory);
-    out.rudder = rudderForTurn(f, f.stick.rudder, memory);
     bool const landing = f.now.height < kFlareHeight && f.stick.throttle < 0.1;
+    double const path = easyClimbAngle(f, landing, memory);
+    out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path)), memory);
+    out.rudder = rudderForTurn(f, f.stick.rudder, memory);
     out.throttle = landing ? 0.0 : throttleForSpeed(f, path, memory);
     return out;
 }
@@ -247,7 +266,7 @@ SurfaceCommands assistedCommands(Airframe const& airframe, AircraftState const& 
                    core::asin(std::clamp(state.velocityWorld.y / ground, -1.0, 1.0))};
     SurfaceCommands out;
     bool const held = level == AssistLevel::normal || level == AssistLevel::easy;
-    if (held && state.readings.onGround) out = groundCommands(f, memory);
+    if (held && state.readings.onGround) out = groundCommands(f, level == AssistLevel::easy, memory);
     else if (level == AssistLevel::normal) out = normalCommands(f, memory);
     else if (level == AssistLevel::easy) out = easyCommands(f, memory);
     else out = level == AssistLevel::light ? lightCommands(f) : directCommands(f);

@@ -7,7 +7,7 @@
 
 namespace luftpost::flight {
 namespace {
-constexpr double kPlateForce = 1.7;       // c: normal force of a plate across the flow, aspect ratio 7 (Hoerner)
+constexpr double kPlateForce = 1.6;       // c: normal force of a thick plate of aspect ratio 7 across the flow
 constexpr double kHysteresis = 0.05;      // rad, by which flow that has left comes back later
 constexpr double kChordsToSeparate = 4.0;  // n: chord lengths of travel to gain or lose the flow
 
@@ -45,7 +45,7 @@ StripAnswer stripAnswer(StripData const& strip, StripFlow const& flow) {
 
     // A control in dead air still turns the plate a little.
     double const plateSine = sine + 0.3 * strip.surfaceLift * flow.deflection * cosine;
-    double const plateNormal = kPlateForce * plateSine;
+    double const plateNormal = kPlateForce * plateSine / (0.56 + 0.44 * std::abs(plateSine));
     double const plateArm = cosine >= 0.0 ? 0.25 * std::abs(sine) : 0.5 - 0.25 * std::abs(sine);  // chords
 
     double const s = flow.separation;

@@ -19,7 +19,7 @@
 // (McCormick: factor (16 h/b)^2 / (1 + (16 h/b)^2)).
 //
 // Separated flow. At large angles, up to flying backwards, a panel is a flat plate whose force stands across it:
-//     Cn = c sin(alpha),   Cl = Cn cos(alpha),   Cd = Cn sin(alpha),
+//     Cn = c sin(alpha) / (0.56 + 0.44 |sin(alpha)|),   Cl = Cn cos(alpha),   Cd = Cn sin(alpha)   (Lindenburg),
 // acting half-way along the chord at 90 degrees instead of at its quarter.
 //
 // Between them. The share s of the chord whose flow has left goes from 0 to 1 across the stall angle (smoothly, over a

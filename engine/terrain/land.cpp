@@ -24,10 +24,15 @@ __attribute__((target("avx2"))) void rawRowWide(double const* east, double const
                                                 std::uint32_t seed) {
     rawRow(east, north, out, count, seed);
 }
-auto const kRawRow = __builtin_cpu_supports("avx2") ? rawRowWide : rawRowPlain;
-#else
-auto const kRawRow = rawRowPlain;
 #endif
+
+void rawHeights(double const* east, double const* north, float* out, std::size_t count, std::uint32_t seed) {
+#if defined(__x86_64__)
+    static bool const wide = __builtin_cpu_supports("avx2") != 0;
+    if (wide) return rawRowWide(east, north, out, count, seed);
+#endif
+    rawRowPlain(east, north, out, count, seed);
+}
 
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -80,7 +85,7 @@ void Land::placeHome() {
             glm::dvec2 const d = directionOfTens(static_cast<unsigned>((i % 8) * 9 / 2 + i / 8)) * kRings[i / 8];
             e[i] = east + d.x, n[i] = north + d.y;
         }
-        kRawRow(e.data(), n.data(), z.data(), z.size(), seed_);
+        rawHeights(e.data(), n.data(), z.data(), z.size(), seed_);
         auto const ring = [&](std::size_t first, std::size_t last) { return std::minmax_element(z.begin() + static_cast<long>(8 * first), z.begin() + static_cast<long>(8 * last)); };
         double mean = 0.0;
         for (std::size_t i = 0; i < 8; ++i) mean += static_cast<double>(z[i]) / 8.0;
@@ -120,7 +125,7 @@ void Land::heights(std::span<double const> east, std::span<double const> north, 
         std::size_t const count = std::min(kBlock, east.size() - from);
         std::size_t const padded = (count + kLanes - 1) / kLanes * kLanes;  // whole vectors only: no slow remainder
         for (std::size_t i = 0; i < count; ++i) e[i] = east[from + i] + homeEast_, n[i] = north[from + i] + homeNorth_;
-        kRawRow(e.data(), n.data(), z.data(), padded, seed_);
+        rawHeights(e.data(), n.data(), z.data(), padded, seed_);
         for (std::size_t i = 0; i < count; ++i) {
             out[from + i] = lift_ + static_cast<double>(z[i]);
             capNearHome(east[from + i], north[from + i], out[from + i]);

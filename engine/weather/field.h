@@ -42,15 +42,25 @@ struct FieldReport {
     Filled filled;
 };
 
-/// The vertical profile of the mean air over one point, at one time: all that the air needs between two ticks.
+/// The mean air over one site at one time: all that wind, temperature and pressure need at any height.
 struct Profile {
-    static constexpr int kMaxLevels = 48;
-    int levels = 0;                         // 0: wind from the surface alone
-    std::array<double, kMaxLevels> altitude{};     // m above sea level, ascending
-    std::array<glm::dvec2, kMaxLevels> wind{};     // m/s, east and north, where the air goes to
-    double siteElevation = 0.0;             // m above sea level, of the thermometer
-    bool southern = false;                  // the wind backs with height instead of veering
+    static constexpr int kMaxLevels = 40;
+    int levels = 0;                             // 0: the wind aloft comes from the surface wind alone
+    std::array<double, kMaxLevels> altitude{};  // m above sea level, ascending
+    std::array<glm::dvec2, kMaxLevels> wind{};  // m/s, east and north, where the air goes to
+    glm::dvec2 windSurface{0.0};                // m/s, 10 m above ground
+    glm::dvec2 windMean{0.0};                   // m/s, the same over three hours: what the free air above goes by
+    double gust = 0.0;                          // m/s, 10 m above ground, the largest of the interval
+    double temperature = 288.15;                // K, 2 m above the site
+    double pressureSea = 101325.0;              // Pa
+    double visibility = 6.0e4;                  // m
+    double elevation = 0.0;                     // m above sea level, of the site
+    bool southern = false;                      // there the wind backs with height instead of veering
 };
+
+/// The wind of a profile at an altitude over ground of height `ground` (m above sea level): between levels linear; below the
+/// lowest and without any, the logarithmic law to 10 m, a power law to 1 km and Ekman's veering from the surface wind. m/s.
+glm::dvec2 windAt(Profile const& profile, double altitude, double ground);
 
 class Field {
 public:
@@ -67,10 +77,15 @@ public:
     core::Place place() const;                 // the origin of the world frame; its altitude is `land.base_m`
     Origin const& origin() const;
 
-    /// Wind over the point at an altitude above sea level over ground of height `ground`: levels where the report has
-    /// them, else the surface wind by the power law and Ekman's veering. m/s, east and north.
+    /// Wind over the point at an altitude above sea level over ground of height `ground`. m/s, east and north.
     glm::dvec2 windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const;
-    Profile profile(double east, double north, core::UtcSeconds time) const;
+
+    /// What the air is made of: the sites' profiles at a time, and how much each counts at a point (they sum to 1).
+    std::size_t sites() const;
+    Profile profile(std::size_t site, core::UtcSeconds time) const;
+    double siteWeight(std::size_t site, double east, double north) const;
+    /// True when there is one site: at() is the same everywhere at one time, and may be asked once for a whole map.
+    bool uniform() const { return sites() == 1; }
 
     /// The wind of the boundary layer integrated from the recording's start: what carries turbulence and thermals. m.
     glm::dvec2 boundaryDrift(core::UtcSeconds time) const;

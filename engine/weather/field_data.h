@@ -1,0 +1,82 @@
+// What a Field is made of. Private to the field's own files.
+#pragma once
+#include "engine/weather/curve.h"
+#include "engine/weather/field.h"
+#include "engine/weather/fill.h"
+#include "engine/weather/tracks.h"
+
+namespace luftpost::weather {
+/// A vector over time.
+struct VectorCurve {
+    Curve east, north;
+    VectorCurve() = default;
+    VectorCurve(std::vector<double> const& times, std::vector<glm::dvec2> const& values) {
+        std::vector<double> e, n;
+        for (glm::dvec2 const value : values) {
+            e.push_back(value.x);
+            n.push_back(value.y);
+        }
+        east = Curve{times, e};
+        north = Curve{times, n};
+    }
+    glm::dvec2 at(double time) const { return {east.at(time), north.at(time)}; }
+    glm::dvec2 integralTo(double time) const { return {east.integralTo(time), north.integralTo(time)}; }
+};
+
+struct LevelCurve {
+    double altitude;
+    VectorCurve wind;
+};
+
+/// A track as the field reads it at one site.
+struct TrackCurves {
+    Curve cover, base, top;
+};
+
+struct SiteData {
+    double east = 0.0, north = 0.0, elevation = 0.0;
+    bool southern = false;
+    std::vector<FullReport> reports;
+    std::vector<double> times;
+    Curve temperature, dewPoint, pressureSea, logVisibility, cape, freezingLevel, snowDepth;
+    VectorCurve wind, windMean;
+    MaximumCurve gust;
+    SumCurve rate;
+    std::vector<LevelCurve> levels;
+    std::vector<SiteTrack> tracks;
+    std::vector<std::optional<std::size_t>> trackOf;     // field's track -> this site's
+    std::vector<std::optional<TrackCurves>> curves;      // by the field's track
+};
+
+/// A layer's life over the whole field.
+struct FieldTrack {
+    Genus genus = Genus::Cu;
+    unsigned pattern = 0;
+    VectorCurve wind;        // the same everywhere, so that the pattern drifts without being torn
+    glm::dvec2 atStart{0.0};  // integral of the wind up to the recording's start
+};
+
+struct Field::Data {
+    Recording recording;
+    Origin origin;
+    core::Place place;
+    core::UtcSeconds start = 0.0, end = 0.0;
+    std::vector<SiteData> sites;
+    std::vector<FieldTrack> tracks;
+    VectorCurve boundary;
+    glm::dvec2 boundaryAtStart{0.0};
+    std::vector<std::vector<FieldReport>> reports;
+
+    double weight(std::size_t site, double east, double north) const;
+    Profile profile(std::size_t site, double time) const;
+    glm::dvec2 windAtOrigin(double altitude, double time) const;
+    std::vector<double> allTimes() const;
+    void joinTracks();
+    void findWinds();
+    void listReports();
+    std::size_t reportIndex(std::size_t site, double time) const;
+    std::optional<Layer> layer(std::size_t track, std::vector<double> const& weights, double time) const;
+    std::vector<Layer> layers(std::vector<double> const& weights, double time) const;
+};
+
+}  // namespace luftpost::weather

@@ -1,0 +1,25 @@
+// Cloud layers over time. A layer of one report is the same as a layer of the next when genus and level agree; a track is such
+// a layer's life. A layer without a partner changes its cover, never its base.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "engine/weather/curve.h"
+#include "engine/weather/fill.h"
+
+namespace luftpost::weather {
+/// One layer's life over one site: cover at every report (0 where it is absent), base and top held where it is absent.
+struct SiteTrack {
+    Genus genus = Genus::Cu;
+    std::vector<double> cover, base, top;  // one a report
+    std::vector<int> layer;                // which of the report's layers it is, -1 where it is absent
+};
+
+/// The tracks of a site's reports, in the order of their first appearance. A track that ended is taken up again by the next
+/// layer of its genus near its level, so that there are few.
+std::vector<SiteTrack> siteTracks(std::vector<FullReport> const& reports);
+
+/// For each of `tracks`, which of the `known` ones it continues at another site: the nearest in mean base of the same genus,
+/// each at most once; none: a new one.
+std::vector<std::optional<std::size_t>> matchedTracks(std::vector<SiteTrack> const& tracks, std::vector<SiteTrack> const& known);
+}  // namespace luftpost::weather
