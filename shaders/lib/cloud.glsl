@@ -24,17 +24,21 @@ GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
-// What is found at a point: extinction in 1/m, and how deep in the cloud it lies (0 at the edge .. 1), which the light
-// asks for.
+// What is found at a point: extinction in 1/m, and what the light asks for: how deep in the cloud it lies, as optical
+// depth to the nearest face, and how much cloud of the envelope stands above and below, as optical depth.
 struct CloudSample {
     float extinction;
     float depth;
+    float above;
+    float below;
 };
 
 GLSL_FUNCTION CloudSample noCloud() {
     CloudSample none;
     none.extinction = 0.0f;
     none.depth = 0.0f;
+    none.above = 0.0f;
+    none.below = 0.0f;
     return none;
 }
 
@@ -88,7 +92,6 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     if (s.look.z > 0.5f) {
         float share = above / thickness;
         result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
-        result.depth = 0.2f;
         return result;
     }
     vec4 plane = planeNoise(curl, s, p, lod);
@@ -110,9 +113,13 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float billow = clamp(noise.x * 0.75f + billowsOf(noise) * 0.5f - 0.1f, 0.0f, 1.0f);
     float guard = smoothstep(0.0f, 0.35f, within);
     float f = 1.0f - within - s.form.z * (1.0f - billow) * guard;
-    result.depth = clamp(f, 0.0f, 1.0f);
     float edge = clamp(f / s.look.x, 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
+    float full = c.water * s.look.w;
+    float tall = (min(high, 1.0f) - low) * thickness;
+    result.depth = full * min(f, 0.5f * rise) * tall;
+    result.above = full * max(1.0f - s.form.z * 0.4f - within, 0.0f) * tall;
+    result.below = full * within * tall;
 
     // Edges: wisps below, billows above.
     float eat = 0.45f;
@@ -125,9 +132,26 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     edge = clamp((f - s.form.w * eat * (1.0f - edge) * guard) / s.look.x, 0.0f, 1.0f);
 
     float floorSoft = clamp((above - low * thickness - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
-    float water = c.water * mix(0.55f, 1.1f, h);
-    result.extinction = edge * floorSoft * water * s.look.w;
+    result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, h);
     return result;
+}
+
+// Optical depth, straight down, of one layer's envelope over a point: no noise, so cheap; for what is far from the eye.
+GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s) {
+    float margin = c.cover - c.rank;
+    if (margin <= 0.0f) return 0.0f;
+    float thickness = c.top - c.base;
+    return 0.6f * c.water * s.look.w * thickness * (s.look.z > 0.5f ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, s.form.x));
+}
+
+// Beyond the reach of 3D detail: mean cover and optical depth. The rank is then the coarse one, and the share of the
+// ground under cloud rises softly where it passes below the cover.
+GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
+    float thickness = c.top - c.base;
+    float h = (y - c.base) / thickness;
+    if (h <= 0.0f || h >= 1.0f) return 0.0f;
+    float share = smoothstep(-0.4f, 0.4f, c.cover - c.rank) * clamp(8.0f * c.cover, 0.0f, 1.0f);
+    return 0.08f * share * share * c.water * s.look.w * clamp(4.0f * h, 0.0f, 1.0f) * (1.0f - h * (1.0f - share));
 }
 
 // Extinction of all the clouds at a point, 1/m.
