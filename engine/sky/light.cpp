@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/lib/exposure.glsl"
+
 namespace luftpost::sky {
 namespace {
 constexpr double kFullMoon_lx = 0.267;
@@ -55,7 +57,7 @@ SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double 
     glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
     light.groundRadiance = total * groundColour(conditions.groundAlbedo) / static_cast<float>(core::kPi);
     light.ground = total * groundColour(conditions.groundAlbedo);
-    light.preExposure = exposureFor(meanLuminance(light, state, conditions.cover));
+    light.exposure = exposureFor(meanLuminance(light, state, conditions.cover));
     return light;
 }
 
@@ -67,9 +69,5 @@ float meanLuminance(SkyLight const& light, SkyState const& state, double cover) 
     return 0.5f * (sky + land);
 }
 
-float exposureFor(float mean) {
-    double const candela = std::max(static_cast<double>(mean), 1e-10) * kSunIlluminance_lx;
-    double const key = 1.03 - 2.0 / (2.0 + std::log10(candela + 1.0));
-    return static_cast<float>(key * kSunIlluminance_lx / std::max(candela, 2.0e-3) * 0.4);
-}
+float exposureFor(float mean) { return glsl::exposureFor(mean); }
 }  // namespace luftpost::sky

@@ -18,7 +18,7 @@ struct SkyLight {
     glm::vec3 sky{0.0f};          // the same under the clouds above: greyer, and dimmer or brighter
     glm::vec3 ground{0.0f};       // from below on a horizontal plane: land and clouds below in sun and sky
     glm::vec3 groundRadiance{0.0f};  // of the land in the mean, 1/(sr), for the sky's lower half
-    float preExposure = 1.0f;     // factor that brings the scene near 1: smooth from noon to a moonless night
+    float exposure = 1.0f;        // from radiance to the tone curve, before the picture is measured; no jump from noon to night
 };
 
 /// Light at `altitude` (m above sea level). `conditions.cover` is what lies above that altitude.
@@ -37,7 +37,7 @@ glm::vec3 airglowRadiance();
 float meanLuminance(SkyLight const& light, SkyState const& state, double cover);
 
 /// What a scene of mean luminance `mean` is multiplied by so that its mid-tones come out where the eye expects them:
-/// mid-grey by day, ever darker from dusk to night (Krawczyk, Myszkowski and Seidel 2005).
+/// mid-grey by day, ever darker from dusk to night (shaders/lib/exposure.glsl).
 float exposureFor(float mean);
 
 float luminance(glm::vec3 const& rgb);

@@ -187,7 +187,7 @@ TEST(Light, GlidesFromNoonToNightWithoutAJump) {
     float previous = 0.0f;
     for (double sun = 90.0; sun >= -18.0; sun -= sun > 5.0 ? 1.0 : 0.05) {
         state.sunDirectionWorld = sky::directionWorld(0.0, radians(sun));
-        float const exposure = sky::skyLight(state, clearDay(), 300.0, {}).preExposure;
+        float const exposure = sky::skyLight(state, clearDay(), 300.0, {}).exposure;
         ASSERT_TRUE(std::isfinite(exposure));
         ASSERT_GT(exposure, 0.0f);
         if (previous > 0.0f) {

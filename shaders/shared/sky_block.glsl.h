@@ -1,0 +1,25 @@
+// The block that all shaders of the sky read: the air, the lights, and where the camera stands in the air.
+#ifndef LUFTPOST_SKY_BLOCK_GLSL_H
+#define LUFTPOST_SKY_BLOCK_GLSL_H
+#include "shaders/shared/atmosphere.glsl.h"
+#include "shaders/shared/block.glsl.h"
+GLSL_BEGIN
+
+GLSL_CONST int kSkyBlockBinding = 4;
+// Texture units of the sky's tables: transmittance, multiple scattering, sky view, aerial radiance and transmittance.
+GLSL_CONST int kSkyTransmittanceUnit = 20;
+GLSL_CONST int kSkyMultipleUnit = 21;
+GLSL_CONST int kSkyViewUnit = 22;
+GLSL_CONST int kSkyAerialUnit = 23;
+GLSL_CONST int kSkyAerialThroughUnit = 24;
+
+UNIFORM_BLOCK(SkyBlock, 4) {
+    Atmosphere air;
+    SkyLights lights;
+    vec4 skyCamera;           // x: altitude in m when the tables were made; y: 1: the moon is in them; z: 1: stars show
+    vec4 airglow;             // rgb: radiance at the zenith above the air
+    mat4 celestialFromWorld;  // rotation to J2000
+} BLOCK_NAME(sky);
+
+GLSL_END
+#endif
