@@ -31,7 +31,7 @@ bool sameTrack(weather::Layer const& a, weather::Layer const& b) { return a.patt
 CloudScene::CloudScene(gl::ProgramLibrary& programs)
     : programs_{programs},
       map_{gl::Format::r16, {weather::kMapSize, weather::kMapSize}, weather::kMapLevels * weather::kMaxLayers, 1, "cloud map"},
-      repeat_{{.minFilter = gl::Filter::linearMipLinear, .wrap = gl::Wrap::repeat}, "cloud noise"},
+      repeat_{{.minFilter = gl::Filter::linearMipNearest, .wrap = gl::Wrap::repeat}, "cloud noise"},
       clamp_{{}, "cloud map"},
       buffer_{sizeof(glsl::CloudBlock), "cloud block"},
       tiles_{2} {

@@ -57,10 +57,10 @@ GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
     return c.cover - c.rank + fray * s.look.y * frayWindow(c.cover);
 }
 
-// Share of the layer's height that a cloud reaches at a margin: the quarter of a circle.
+// Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides.
 GLSL_FUNCTION float riseAt(float margin, float width) {
     float x = 1.0f - clamp(margin / width, 0.0f, 1.0f);
-    return sqrt(1.0f - x * x);
+    return 1.0f - x * x;
 }
 
 // Optical depth, straight down, of a sheet of fibres.
@@ -79,10 +79,15 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     return 0.055f * ramp(margin, 0.0f, 0.02f) + full * body * strand;
 }
 
-GLSL_FUNCTION float billowsOf(vec4 shape) { return 0.625f * shape.y + 0.25f * shape.z + 0.125f * shape.w; }
+// The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
+GLSL_FUNCTION float billowOf(vec4 noise) {
+    return clamp((0.30f * noise.x + 0.22f * noise.y + 0.26f * noise.z + 0.22f * noise.w - 0.30f) * 2.4f, 0.0f, 1.0f);
+}
 
-// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole
-// truth; from 2.5 on the detail is left out (its mean is taken).
+// From this lod on the fine things are left out: fraying of the outlines, and the detail, whose mean is taken.
+GLSL_CONST float kCoarseLod = 2.5f;
+
+// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth.
 GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       sampler3D curl, float lod) {
     float thickness = c.top - c.base;
@@ -94,13 +99,19 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
         result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
         return result;
     }
-    vec4 plane = planeNoise(curl, s, p, lod);
+    vec4 plane = vec4(0.0f);
+    if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod);
     float margin = layerMargin(c, s, plane.z);
     if (margin <= 0.0f) return result;
 
-    // The envelope: between which heights cloud may stand here.
+    // The envelope: between which heights cloud may stand here. Clouds of a layer are not all of one height.
     float rise = riseAt(margin, s.form.x);
-    float least = min(70.0f / thickness, 1.0f);
+    if (s.extent.w > 0.0f) {
+        float scale = s.anchor.w * (kShapePeriod / 12288.0f);
+        float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
+        rise *= 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
+    }
+    float least = min(45.0f / thickness, 1.0f);
     float low = s.form.y * (1.0f - rise);
     float high = max(max(rise, least), low + least);
     float h = above / thickness;
@@ -109,8 +120,7 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
 
     // Billows: strong toward the top and the sides, none at the base.
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
-    vec4 noise = textureLod(shape, q * s.anchor.w, lod);
-    float billow = clamp(noise.x * 0.75f + billowsOf(noise) * 0.5f - 0.1f, 0.0f, 1.0f);
+    float billow = billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.0f)));
     float guard = smoothstep(0.0f, 0.35f, within);
     float f = 1.0f - within - s.form.z * (1.0f - billow) * guard;
     float edge = clamp(f / s.look.x, 0.0f, 1.0f);
@@ -123,7 +133,7 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
 
     // Edges: wisps below, billows above.
     float eat = 0.45f;
-    if (lod < 2.5f && edge < 1.0f) {
+    if (lod < kCoarseLod && edge < 1.0f) {
         vec3 turned = q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - within);
         vec4 fine = textureLod(detail, turned * s.detail.w, lod);
         float wisps = 0.625f * fine.x + 0.25f * fine.y + 0.125f * fine.z;

@@ -96,20 +96,36 @@ void diffuseAt(float y, float mu, vec3 above, out vec3 fromAbove, out vec3 fromB
     fromAbove = max(2.0 * mean - 0.7 * fromBelow, 0.6 * mean) + 0.5 * sky.airglow.rgb;
 }
 
-/// Radiance per optical depth at a sample.
-vec3 lightAt(vec3 p, vec3 direction, CloudSample here, KeyLight key, float lod, float stepLength) {
-    vec3 toward = inFlatFrame(key.toward, direction, p);
+/// Light that falls on a place, clouds left out. It changes slowly: a ray asks anew every few kilometres.
+struct LightThere {
+    float asked;  // m along the ray
+    vec3 toward;  // in the flat frame
+    vec3 beam;    // irradiance
+    vec3 fromAbove;
+    vec3 fromBelow;
+};
+
+LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
+    LightThere there;
+    there.asked = t;
+    there.toward = inFlatFrame(key.toward, direction, p);
     vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
-    vec3 beam = key.above * lightThroughAir(skyTransmittanceTable, size, p.y, toward.y, key.radius);
+    there.beam = key.above * lightThroughAir(skyTransmittanceTable, size, p.y, there.toward.y, key.radius);
+    diffuseAt(p.y, there.toward.y, key.above, there.fromAbove, there.fromBelow);
+    return there;
+}
+
+/// Radiance per optical depth at a sample.
+vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float stepLength) {
+    vec3 toward = there.toward;
+    vec3 beam = there.beam;
     float overhead = depthOfLayersAbove(p, toward);
     vec3 light = vec3(0.0);
     if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
         float toLight = depthToward(p, toward, clamp(0.5 * stepLength, 18.0, 120.0), lod) + overhead;
-        light = beam * litByBeam(dot(direction, key.toward), clouds.light.x, toLight, here.depth, clouds.light.y);
+        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, clouds.light.y);
     }
-    vec3 fromAbove, fromBelow;
-    diffuseAt(p.y, toward.y, key.above, fromAbove, fromBelow);
-    return light + litByDiffuse(fromAbove, fromBelow, here.above + 0.5 * overhead, here.below, clouds.light.x);
+    return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead, here.below, clouds.light.x);
 }
 
 /// A sheet of fibres where the ray crosses the middle of its layer.
@@ -124,15 +140,11 @@ MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
     float straight = sheetDepth(place, column, clouds.shapes[layer], cloudCurlNoise, lod);
     if (coarse > 0.0) straight = mix(straight, 0.4 * smoothstep(-0.4, 0.4, column.cover - column.rank) *
                                                    column.water * clouds.shapes[layer].look.w * (column.top - column.base), coarse);
-    vec3 toward = inFlatFrame(key.toward, direction, place);
-    vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
-    vec3 beam = key.above * lightThroughAir(skyTransmittanceTable, size, altitude, toward.y, key.radius);
-    float toLight = 0.5 * straight / max(abs(toward.y), 0.1);
+    LightThere there = lightThere(place, direction, t, key);
+    float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = straight / slope;
-    vec3 fromAbove, fromBelow;
-    diffuseAt(altitude, toward.y, key.above, fromAbove, fromBelow);
-    vec3 light = beam * litByBeam(dot(direction, key.toward), 0.8 * clouds.light.x, toLight, straight, 0.0) +
-                 litByDiffuse(fromAbove, fromBelow, 0.0, 0.0, clouds.light.x);
+    vec3 light = there.beam * litByBeam(dot(direction, key.toward), 0.8 * clouds.light.x, toLight, straight, 0.0) +
+                 litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
     MarchResult result;
     result.through = exp(-depth);
     result.light = light * (1.0 - result.through);
@@ -169,59 +181,106 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
-/// Layers with a body. `land`: distance of what stops the ray.
+/// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
+float faceBetween(float outside, float inside, vec3 direction, float h, float lod) {
+    for (int i = 0; i < 3; ++i) {
+        float middle = 0.5 * (outside + inside);
+        vec3 p = flatFromCurved(direction * middle, h);
+        if (cloudAt(p + vec3(0.0, h, 0.0), lod).extinction > 0.0) inside = middle;
+        else outside = middle;
+    }
+    return inside;
+}
+
+/// Where a ray stands between its samples.
+struct Walk {
+    float t;
+    float length;  // m, of the next step
+    bool full;     // full steps, else cheap ones
+    int empty;     // full steps without cloud since the last one with
+    int left;      // steps that may still be taken
+};
+
+float longestStep(float t) { return clouds.step.x + clouds.step.y * t; }
+float lodAt(float t, float length) {
+    return max(log2(max(t * frame.projection.w, 0.25 * length) * clouds.shapes[0].anchor.w * 128.0), 0.0);
+}
+vec3 placeAt(vec3 direction, float t, float h) {
+    vec3 p = flatFromCurved(direction * t, h);
+    return vec3(p.x, p.y + h, p.z);
+}
+
+/// Goes on to the next cloud; false when the ray ends first. Its own loop: rays that have found one wait for the rest,
+/// and then all do the costly part at once.
+bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk, out CloudSample here, out vec3 p) {
+    here = noCloud();
+    p = vec3(0.0);
+    while (walk.t < end && --walk.left > 0) {
+        p = placeAt(direction, walk.t, h);
+        float longest = longestStep(walk.t);
+        if (!insideAnyShell(p.y)) {
+            walk.t = nextFace(h, direction.y, walk.t, end) + 0.5 + 0.3 * random * longest;
+            walk.full = false;
+        } else if (!walk.full) {
+            if (cloudMayBeAt(p)) {
+                walk.full = true;
+                walk.empty = walk.t > longest ? 1 : 0;
+                walk.t = max(walk.t - longest, 0.0);
+                walk.length = longest;
+            } else {
+                walk.t += 2.0 * longest;
+            }
+        } else {
+            here = cloudAt(p, lodAt(walk.t, walk.length));
+            if (here.extinction > 0.0) return true;
+            walk.length = longest;
+            walk.t += longest;
+            if (++walk.empty >= 6) walk.full = false;
+        }
+    }
+    return false;
+}
+
+/// Layers with a body.
 MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     float h = frame.cameraWorld.y;
     MarchResult ray = MarchResult(vec3(0.0), 1.0, 0.0);
     float weights = 0.0;
-    float t = 0.0;
-    if (!insideAnyShell(h)) t = nextFace(h, direction.y, 0.0, end) + 0.5;
-    t += random * (clouds.step.x + clouds.step.y * t);
-    bool full = false;
-    int empty = 0;
-    float length = 0.0;
-    for (int i = 0; i < clouds.march.y && t < end && ray.through > 0.005; ++i) {
-        vec3 p = flatFromCurved(direction * t, h);
-        p.y += h;
-        float longest = clouds.step.x + clouds.step.y * t;
-        if (!insideAnyShell(p.y)) {
-            t = nextFace(h, direction.y, t, end) + 0.5 + 0.3 * random * longest;
-            full = false;
-            continue;
+    float cosine = dot(direction, key.toward);
+    Walk walk = Walk(0.0, 0.0, false, 0, clouds.march.y);
+    if (!insideAnyShell(h)) walk.t = nextFace(h, direction.y, 0.0, end) + 0.5;
+    walk.t += random * longestStep(walk.t);
+    LightThere there;
+    there.asked = -1.0e6;
+    CloudSample here;
+    vec3 p;
+    while (ray.through > 0.015 && findCloud(direction, h, end, random, walk, here, p)) {
+        float longest = longestStep(walk.t);
+        float shortest = max(10.0, 0.0015 * walk.t);
+        float lod = lodAt(walk.t, walk.length);
+        if (walk.empty > 0) {
+            walk.t = faceBetween(walk.t - walk.length, walk.t, direction, h, lod);
+            p = placeAt(direction, walk.t, h);
+            here = cloudAt(p, lod);
+            walk.length = min(2.0 * shortest, longest);
+            walk.empty = 0;
         }
-        if (!full) {
-            if (!cloudMayBeAt(p)) {
-                t += 2.0 * longest;
-                continue;
-            }
-            full = true;
-            empty = 0;
-            length = 0.5 * longest;
-            t = max(t - longest, 0.0);
-            continue;
-        }
-        float lod = max(log2(max(t * frame.projection.w, 0.25 * length) * clouds.shapes[0].anchor.w * 128.0), 0.0);
-        CloudSample here = cloudAt(p, lod);
-        if (here.extinction <= 0.0) {
-            length = longest;
-            t += length;
-            if (++empty >= 6) full = false;
-            continue;
-        }
-        float shortest = max(8.0, 0.0015 * t);
-        if (empty > 0 || here.extinction * length > 1.2) length = clamp(0.8 / here.extinction, shortest, longest);
-        empty = 0;
+        float length = min(walk.length, max(0.9 / max(here.extinction, 1e-5), shortest));
         float kept = exp(-here.extinction * length);
         float weight = ray.through * (1.0 - kept);
-        ray.light += weight * lightAt(p, direction, here, key, lod + 0.5, length);
-        ray.distance += weight * t;
+        if (walk.t > there.asked + 2000.0 + 0.1 * walk.t) there = lightThere(p, direction, walk.t, key);
+        ray.light += weight * lightAt(p, there, here, cosine, lod, length);
+        ray.distance += weight * walk.t;
         weights += weight;
         ray.through *= kept;
-        t += length;
-        length = min(length * 1.3, longest);
+        walk.t += length;
+        walk.length = min(length * 1.5, longest);
     }
     ray.distance = weights > 1e-5 ? ray.distance / weights : min(end, clouds.step.z);
-    if (ray.through <= 0.005) ray.through = 0.0;
+    if (ray.through <= 0.015) {
+        ray.light /= 1.0 - ray.through;
+        ray.through = 0.0;
+    }
     return ray;
 }
 

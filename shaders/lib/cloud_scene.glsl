@@ -114,10 +114,10 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         float at = 0.5 * (start + end);
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        sum += cloudAt(p + toward * at + sideways, lod + 0.5 * float(i)).extinction * (end - start);
+        sum += cloudAt(p + toward * at + sideways, max(kCoarseLod, lod)).extinction * (end - start);
         start = end;
         end = i == 5 ? 3.0 * end : 1.9 * end;
-        if (sum > 60.0) break;
+        if (sum > 40.0) break;
     }
     return sum;
 }

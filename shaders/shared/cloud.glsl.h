@@ -34,7 +34,8 @@ struct LayerShape {
     vec4 detail;  // the same of the detail volume, which drifts a little faster
     vec4 fibre;   // xy: unit vector along fibres, east and south; z: 1/m along them; w: 1/m across
     vec4 wind;    // xy: m/s east and south; zw: m of skew per m of height, east and south
-    vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: anvil, 0..1
+    vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: how much lower the lowest tops
+                  // are, share of the height
 };
 
 struct CloudShape {
