@@ -18,6 +18,7 @@
 #include "engine/render/model_pass.h"
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
+#include "engine/render/precipitation_pass.h"
 #include "engine/render/sky_pass.h"
 #include "engine/render/ui_pass.h"
 #include "engine/render/view.h"
@@ -67,6 +68,7 @@ struct Renderer::Parts {
         : options{wanted},
           sky{programs},
           composite{programs},
+          precipitation{programs},
           exposure{programs},
           models{programs},
           post{programs},
@@ -92,6 +94,7 @@ struct Renderer::Parts {
 
     SkyPass sky;
     CompositePass composite;
+    PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
     PostPass post;
@@ -141,6 +144,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("clear", [&] { p.clear(*p.targets); });
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
+    pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
