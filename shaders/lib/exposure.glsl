@@ -14,7 +14,7 @@ GLSL_CONST float kDarkestKey = 0.06f;
 GLSL_FUNCTION float exposureFor(float mean) {
     float candela = max(mean * kSunLux, 1e-7f);
     float key = max(1.03f - 2.0f / (2.0f + log(candela + 1.0f) / 2.30258509f), kDarkestKey);
-    return 0.4f * key * kSunLux / max(candela, kDarkestSeen);
+    return 0.48f * key * kSunLux / max(candela, kDarkestSeen);
 }
 
 /// The histogram of the picture: 1/4 stop a bin, bin 0 for all that is darker.
