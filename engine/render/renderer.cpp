@@ -18,6 +18,7 @@
 #include "engine/render/model_pass.h"
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
+#include "engine/render/precipitation_pass.h"
 #include "engine/render/sky_pass.h"
 #include "engine/render/ui_pass.h"
 #include "engine/render/view.h"
@@ -69,6 +70,7 @@ struct Renderer::Parts {
           composite{programs},
           exposure{programs},
           models{programs},
+          precipitation{programs},
           post{programs},
           ui{programs},
           resample{programs.graphics(gl::GraphicsStages{"fullscreen", "resample", ""})},
@@ -94,6 +96,7 @@ struct Renderer::Parts {
     CompositePass composite;
     ExposurePass exposure;
     ModelPass models;
+    PrecipitationPass precipitation;
     PostPass post;
     UiPass ui;
     gl::Program const& resample;
@@ -142,6 +145,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
+    pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
     pass("tone map", [&] { p.post.drawToneMap(context, p.display->target); });
