@@ -75,7 +75,6 @@ struct Renderer::Parts {
           precipitation{programs},
           exposure{programs},
           models{programs},
-          precipitation{programs},
           post{programs},
           ui{programs},
           resample{programs.graphics(gl::GraphicsStages{"fullscreen", "resample", ""})},
@@ -105,7 +104,6 @@ struct Renderer::Parts {
     PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
-    PrecipitationPass precipitation;
     PostPass post;
     UiPass ui;
     gl::Program const& resample;
@@ -155,7 +153,6 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("composite", [&] { p.composite.draw(context); });
     pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
-    pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
     pass("tone map", [&] { p.post.drawToneMap(context, p.display->target); });
