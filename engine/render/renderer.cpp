@@ -23,6 +23,7 @@
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
 #include "engine/render/view.h"
+#include "engine/render/water_pass.h"
 
 namespace luftpost::render {
 namespace {
@@ -70,6 +71,7 @@ struct Renderer::Parts {
           sky{programs},
           land{wanted.workers},
           terrain{programs},
+          water{programs},
           composite{programs},
           exposure{programs},
           models{programs},
@@ -98,6 +100,7 @@ struct Renderer::Parts {
     SkyPass sky;
     LandScene land;
     TerrainPass terrain;
+    WaterPass water;
     CompositePass composite;
     ExposurePass exposure;
     ModelPass models;
@@ -167,6 +170,7 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
 void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("chunks", [&] { land.update(context); });
     timer.pass("terrain", [&] { terrain.draw(context, land); });
+    timer.pass("water", [&] { water.draw(context, land); });
 }
 
 void Renderer::Parts::begin(Snapshot const& snapshot) {
