@@ -22,6 +22,7 @@
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
+#include "engine/render/vegetation_pass.h"
 #include "engine/render/view.h"
 #include "engine/render/water_pass.h"
 
@@ -72,6 +73,7 @@ struct Renderer::Parts {
           land{wanted.workers},
           terrain{programs},
           water{programs},
+          vegetation{programs},
           composite{programs},
           exposure{programs},
           models{programs},
@@ -101,6 +103,7 @@ struct Renderer::Parts {
     LandScene land;
     TerrainPass terrain;
     WaterPass water;
+    VegetationPass vegetation;
     CompositePass composite;
     ExposurePass exposure;
     ModelPass models;
@@ -170,6 +173,7 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
 void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("chunks", [&] { land.update(context); });
     timer.pass("terrain", [&] { terrain.draw(context, land); });
+    timer.pass("trees", [&] { vegetation.draw(context, land); });
     timer.pass("water", [&] { water.draw(context, land); });
 }
 
