@@ -40,7 +40,9 @@ UNIFORM_BLOCK(FrameBlock, 0) {
 
     vec4 wind;                   // xyz: near the camera, m/s, where the air goes to; w: gust, m/s
     vec4 weather;                // x: visibility, m; y: precipitation, mm/h; z: share of it that is snow; w: wetness of the ground 0..1
-    vec4 aircraft;               // xyz: the player's aircraft, relative to the camera; w: radius of its shadow's blob, m, 0: none
+    vec4 aircraft;               // xyz: the player's aircraft, relative to the camera; w: 1 when there is one
+    mat4 modelShadowFromWorld;   // position relative to the camera -> 0..1 over the map of lib/model_shadow.glsl, z: 1 nearest the light
+    vec4 modelShadow;            // x: 1 when there is a map; y, z: metres across and along the light; w: angular radius of the light
 } BLOCK_NAME(frame);
 
 GLSL_END

@@ -1,0 +1,50 @@
+// From scene light to the screen: the tone map, the screen's encoding, the dither.
+#ifndef LUFTPOST_TONE_GLSL
+#define LUFTPOST_TONE_GLSL
+#include "shaders/shared/language.glsl.h"
+GLSL_BEGIN
+
+GLSL_CONST float kToneSlope = 1.35f;  // contrast about the middle, per stop
+GLSL_CONST float kToneMiddle = 0.18f; // exposed radiance that keeps its value
+
+/// One channel: Naka and Rushton's response x^n / (x^n + k^n), 0.18 staying 0.18. It never clips: a cloud sixteen
+/// times as bright as its shadow still shows form. White (1) gives 0.69, 4 gives 0.94, 16 gives 0.99.
+GLSL_FUNCTION float toneChannel(float x) {
+    float powered = pow(max(x, 0.0f), kToneSlope);
+    float middle = pow(kToneMiddle, kToneSlope) * (1.0f - kToneMiddle) / kToneMiddle;
+    return powered / (powered + middle);
+}
+
+/// Exposed linear Rec. 709 -> display-linear 0..1. Before the curve each channel lends a little to the others, so that
+/// bright colours go to white by way of paler shades of themselves rather than turn yellow or cyan; after it most of
+/// that is taken back, so that dark colours keep their saturation.
+GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
+    float mean = (exposed.x + exposed.y + exposed.z) / 3.0f;
+    vec3 lent = mix(exposed, vec3(mean), vec3(0.15f));
+    vec3 curved = vec3(toneChannel(lent.x), toneChannel(lent.y), toneChannel(lent.z));
+    float curvedMean = (curved.x + curved.y + curved.z) / 3.0f;
+    return clamp(mix(curved, vec3(curvedMean), vec3(-0.12f)), vec3(0.0f), vec3(1.0f));
+}
+
+/// Linear -> sRGB (IEC 61966-2-1).
+GLSL_FUNCTION float encodedChannel(float x) {
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * pow(x, 1.0f / 2.4f) - 0.055f;
+}
+GLSL_FUNCTION vec3 encodedForScreen(vec3 linear) {
+    return vec3(encodedChannel(linear.x), encodedChannel(linear.y), encodedChannel(linear.z));
+}
+
+/// Even noise 0..1 of a pixel and a frame (a PCG hash: O'Neill 2014).
+GLSL_FUNCTION float pixelNoise(uvec2 pixel, uint frame) {
+    uint state = (pixel.x + 4096u * pixel.y + 16777259u * frame) * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return float(((word >> 22u) ^ word) >> 8u) / 16777216.0f;
+}
+
+/// Triangular noise of -1..1 steps of an 8-bit screen: breaks bands without raising the mean.
+GLSL_FUNCTION float ditherNoise(uvec2 pixel, uint frame) {
+    return (pixelNoise(pixel, frame) + pixelNoise(pixel, frame + 91u) - 1.0f) / 255.0f;
+}
+
+GLSL_END
+#endif
