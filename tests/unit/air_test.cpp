@@ -4,6 +4,7 @@
 
 #include "engine/core/time.h"
 #include "engine/weather/air.h"
+#include "engine/weather/convection.h"
 #include "engine/weather/turbulence.h"
 
 using namespace luftpost;
@@ -111,30 +112,45 @@ TEST(Air, GustsAreSmoothAlongAFlight) {
     }
 }
 
-TEST(Air, LiftUnderCumulusSumsToNothingOverThePlain) {
-    Field const field = loadWeather("preset:fair");
-    AirInstant const air = airOf(field).instant(noon());
-    double sum = 0.0, strongest = 0.0, weakest = 0.0;
-    int const n = 120;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            double const up = air.at({i * 331.0, 900.0, j * 331.0}).windWorld.y;
-            sum += up;
-            strongest = std::max(strongest, up);
-            weakest = std::min(weakest, up);
+TEST(Air, LiftUnderCumulusSumsToNothingOverThePlane) {
+    for (float const cover : {0.05f, 0.35f, 0.8f, 1.0f}) {
+        UnderCloud at;
+        at.threshold = cover;
+        at.ground = 300.0;
+        at.base = 1500.0;
+        at.top = 2400.0;
+        at.altitude = 1000.0;
+        at.heating = 1.0;
+        double sum = 0.0, strongest = 0.0, weakest = 0.0;
+        for (int i = 0; i < 10000; ++i) {
+            at.rank = (i + 0.5) / 10000.0;
+            double const lift = cumulusConvection(at).lift;
+            sum += lift;
+            strongest = std::max(strongest, lift);
+            weakest = std::min(weakest, lift);
         }
-    EXPECT_NEAR(sum / (n * n), 0.0, 0.12);
-    EXPECT_GT(strongest, 1.5);
-    EXPECT_LT(weakest, -0.5);
+        EXPECT_NEAR(sum / 10000.0, 0.0, 1e-4) << cover;
+        EXPECT_LT(strongest, 3.0) << cover;
+        EXPECT_GT(weakest, -1.5) << cover;
+        EXPECT_GE(strongest, cover < 0.5f ? 1.0 : 0.0) << cover;
+    }
 }
 
-TEST(Air, RainDragsTheAirDownUnderACumulonimbus) {
-    Field const field = loadWeather("preset:storm");
-    AirInstant const air = airOf(field).instant(noon());
-    double sum = 0.0;
-    for (int i = 0; i < 40; ++i)
-        for (int j = 0; j < 40; ++j) sum += air.at({i * 900.0, 800.0, j * 900.0}).windWorld.y;
-    EXPECT_LT(sum / 1600.0, -1.0);
+TEST(Air, RainDragsTheAirDownUnderACumulonimbusAndTheAirRisesAboveItsBase) {
+    UnderCloud at;
+    at.rank = 0.1;
+    at.threshold = 0.85;
+    at.ground = 300.0;
+    at.base = 1100.0;
+    at.top = 10800.0;
+    at.rain = 20.0;
+    at.altitude = 700.0;
+    EXPECT_LT(stormConvection(at).lift, -3.0);
+    at.altitude = 4000.0;
+    EXPECT_GT(stormConvection(at).lift, 6.0);
+    EXPECT_GT(stormConvection(at).sigma, 3.0);
+    at.rank = 0.95;
+    EXPECT_EQ(stormConvection(at).lift, 0.0);
 }
 
 TEST(Air, NoWindGoesThroughTheGround) {
