@@ -39,6 +39,9 @@ using Chosen = std::function<int()>;
 // Texts are read by the functions of options.h inside `chosen`, so that every complaint is one line and
 // exit 2.
 
+void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+
 /// Adds every command (commands.cpp: one line each).
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 }  // namespace luftpost::app

@@ -2,12 +2,18 @@
 #pragma once
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
+#include "engine/render/graphics_settings.h"
+#include "engine/weather/cloud_settings.h"
+#include "game/app/flight_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
 struct Settings {
-    audio::AudioSettings audio;
+    FlightSettings flight;
+    weather::CloudSettings clouds;
+    render::GraphicsSettings graphics;
     ui::HudSettings hud;
+    audio::AudioSettings audio;
 };
 
 /// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where

@@ -45,7 +45,6 @@ struct HudWeather {
 struct HudState {
     double time = 0.0;               // s of simulated time: blinking and fading follow it, never the wall clock
     core::UtcSeconds utc = 0.0;
-    float scale = 1.0f;              // the player's own size, times the size of the window
     bool visible = true;
 
     glm::dvec3 positionWorld{0.0};

@@ -1,0 +1,56 @@
+#include "engine/render/precipitation_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gl/draw.h"
+
+namespace luftpost::render {
+namespace {
+constexpr double kShutter = 1.0 / 80.0;  // s
+constexpr double kWrap = 4096.0;         // m
+constexpr double kSnowFall = 1.1;        // m/s
+
+/// Terminal velocity of the drops that carry most of the water: Atlas and Ulbrich 1977, v = 3.78 D^0.67 (D in mm), with
+/// the median diameter of Marshall and Palmer, D = 0.9 R^0.21.
+double rainFall(double rate) { return 3.78 * std::pow(0.9 * std::pow(rate, 0.21), 0.67); }
+
+bool isSnow(weather::Precipitation kind) { return kind == weather::Precipitation::Snow; }
+
+/// True below the base of the lowest closed layer, where drops fall.
+bool belowClouds(Snapshot const& snapshot) {
+    weather::Weather const& weather = snapshot.weather;
+    double top = 0.0;
+    for (int i = 0; i < weather.layerCount; ++i)
+        if (weather.layers[static_cast<std::size_t>(i)].cover > 0.3f)
+            top = std::max(top, static_cast<double>(weather.layers[static_cast<std::size_t>(i)].top));
+    return weather.layerCount == 0 || snapshot.camera.positionWorld.y < top;
+}
+}  // namespace
+
+PrecipitationPass::PrecipitationPass(gl::ProgramLibrary& programs) : program_{programs.compute("precipitation")} {}
+
+void PrecipitationPass::draw(FrameContext const& context) {
+    Snapshot const& snapshot = context.snapshot;
+    double const rate = snapshot.weather.precipitationRate;
+    if (rate < 0.05 || !belowClouds(snapshot)) return;
+    bool const snow = isSnow(snapshot.weather.precipitation);
+    glm::dvec3 const moved{glm::vec3{context.frame.cameraMoved}};
+    glm::dvec3 const cameraVelocity = snapshot.frameSeconds > 0.0 ? moved / snapshot.frameSeconds : glm::dvec3{0.0};
+    glm::dvec3 const fall{0.0, snow ? -kSnowFall : -rainFall(rate), 0.0};
+    glm::dvec3 const velocity = snapshot.windWorld + fall - cameraVelocity;
+    double const speed = std::max(glm::length(velocity), 0.1);
+    fallen_ = snapshot.still ? 0.0 : std::fmod(fallen_ + speed * snapshot.frameSeconds, kWrap);
+
+    double const streak = std::clamp(speed * kShutter, snow ? 0.012 : 0.05, 1.5);
+    double const share = std::clamp((snow ? 0.35 : 0.16) * std::pow(rate, 0.6), 0.02, 0.8);
+    program_.use();
+    program_.set("axisAndFallen", glm::vec4{glm::dvec4{velocity / speed, fallen_}});
+    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.009f : 0.0018f, static_cast<float>(share),
+                                        snow ? 1.5f : 1.1f});
+    context.targets.depth.bind(0);
+    context.targets.colour.bindImage(0, gl::Access::readWrite);
+    gl::dispatchOver(context.targets.size, {8, 8});
+    gl::barrier(gl::Barrier::all);
+}
+}  // namespace luftpost::render

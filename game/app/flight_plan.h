@@ -1,0 +1,29 @@
+// What a flight is made from: with the list of stamped inputs, all that its bits depend on.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/core/frames.h"
+#include "game/app/inputs.h"
+#include "game/app/simulation.h"
+
+namespace luftpost::app {
+struct FlightPlan {
+    std::string weather;        // the source, as World takes it (not empty)
+    std::string weatherSha256;  // of a recording; empty: a preset
+    core::Place place;
+    SimulationOptions simulation;
+};
+
+/// A flight that was flown: the replay file.
+struct Replay {
+    FlightPlan plan;
+    long long ticks = 0;
+    std::vector<StampedInput> inputs;  // by tick
+};
+
+/// Format "luftpost-replay-1" (JSON); numbers keep every bit.
+std::string replayText(Replay const& replay);
+/// Throws core::Error naming file, place and expectation.
+Replay readReplay(std::filesystem::path const& file);
+}  // namespace luftpost::app

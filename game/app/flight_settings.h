@@ -1,0 +1,30 @@
+// The settings that change the flight: a change of one is a stamped input.
+#pragma once
+#include <tuple>
+
+#include "engine/core/settings.h"
+#include "engine/flight/assist.h"
+#include "engine/flight/assist_settings.h"
+#include "game/ui/input_settings.h"
+
+namespace luftpost::app {
+struct PilotSettings {
+    flight::AssistLevel assist = flight::AssistLevel::normal;
+};
+inline constexpr std::tuple pilotFields{
+    core::Field{&PilotSettings::assist, "aircraft.assist", flight::kAssistWords,
+                "Who moves the surfaces: sim (the stick), light, normal, easy (points where one steers)"}};
+
+struct FlightSettings {
+    PilotSettings pilot;
+    flight::AssistSettings assist;
+    ui::InputSettings input;
+};
+
+/// Appends the list over `settings`.
+inline void appendFlightSettings(core::SettingList& list, FlightSettings& settings) {
+    core::appendSettings(list, settings.pilot, pilotFields);
+    core::appendSettings(list, settings.assist, flight::assistFields);
+    core::appendSettings(list, settings.input, ui::inputFields);
+}
+}  // namespace luftpost::app

@@ -1,0 +1,163 @@
+#include "game/app/play_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/core/time.h"
+#include "engine/platform/paths.h"
+#include "game/app/instruments.h"
+#include "game/app/player_files.h"
+#include "game/ui/input_csv.h"
+
+namespace luftpost::app {
+namespace {
+constexpr double kLongestFlight = 1.0e6;       // s
+constexpr double kDefaultHeight = 350.0;       // m above the airfield
+constexpr double kDefaultTas = 50.0;           // m/s
+constexpr double kDefaultHeading_deg = 250.0;  // along the low sun's light, the glow to the right
+constexpr int kMostWorkers = 256;
+
+void checkOutputs(PlayTexts const& texts) {
+    auto const check = [](char const* option, std::filesystem::path const& file) {
+        if (!file.empty()) core::checkOutputFolder(option, file);
+    };
+    check("--log", texts.log);
+    check("--report", texts.report);
+    check("--screenshot", texts.screenshot);
+    check("--save-replay", texts.saveReplay);
+    check("--save-weather", texts.saveWeather);
+    check("--save", texts.save);
+}
+
+RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
+    checkOutputs(texts);
+    RunOptions run;
+    run.headless = texts.headless || texts.noRender;
+    run.noRender = texts.noRender;
+    run.size = common.size;
+    run.log = texts.log;
+    run.report = texts.report;
+    run.screenshot = texts.screenshot;
+    run.saveReplay = texts.saveReplay;
+    run.saveWeather = texts.saveWeather;
+    run.save = texts.save;
+    if (run.noRender && !run.screenshot.empty())
+        throw core::Error{"--screenshot", "", "expected not with --no-render, which draws nothing"};
+    if (!texts.seconds.empty()) {
+        double const seconds = numberOption("--seconds", texts.seconds, 0.0, kLongestFlight);
+        run.ticks = ui::tickAtOrAfter(seconds);
+    }
+    if (!texts.frameRate.empty()) run.frameRate = numberOption("--frame-rate", texts.frameRate, 0.01, 1000.0);
+    unsigned const cores = std::max(std::thread::hardware_concurrency(), 1u);
+    run.workers = static_cast<int>(std::clamp(cores - 1, 1u, 8u));
+    if (!texts.workers.empty())
+        run.workers = static_cast<int>(wholeOption("--workers", texts.workers, 1, kMostWorkers));
+    return run;
+}
+
+FlightStart startOption(std::string const& text, double airfieldAltitude) {
+    FlightStart start{false, airfieldAltitude + kDefaultHeight, kDefaultTas,
+                      core::radians(kDefaultHeading_deg)};
+    if (text.empty()) return start;
+    if (text == "runway") return {.runway = true};
+    constexpr char const* kForm = "air:ALT_M,TAS_MPS,HEADING_DEG or runway";
+    if (!text.starts_with("air:"))
+        throw core::Error{"--start", "", fmt::format("expected {}, found {}", kForm, text)};
+    auto const numbers = numbersOption("--start", std::string_view{text}.substr(4), 3, 3, kForm);
+    if (numbers[0] > 12000.0 || numbers[1] < 10.0 || numbers[1] > 150.0 || std::abs(numbers[2]) > 720.0)
+        throw core::Error{
+            "--start", "",
+            fmt::format("expected ALT_M up to 12000, TAS_MPS 10..150, HEADING_DEG -720..720, found {}",
+                        text)};
+    return {false, numbers[0], numbers[1], core::radians(numbers[2])};
+}
+
+/// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
+void planWeather(FlightPlan& plan, CommonOptions const& common) {
+    plan.weather = common.weather.empty()
+                       ? "recorded:" + platform::dataFile(weather::kDefaultRecording).string()
+                       : common.weather;
+    std::optional<weather::PlaceWish> wish;
+    if (common.place) wish = {common.place->lat_deg, common.place->lon_deg, common.place->altitude_m};
+    weather::Field const field = weather::loadWeather(plan.weather, wish);
+    plan.weatherSha256 = field.origin().sha256;
+    plan.place = field.place();
+    core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
+    bool const preset = field.origin().mode == weather::SourceMode::Preset;
+    plan.simulation.time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
+    if (!preset && !field.covers(plan.simulation.time))
+        fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
+                   plan.weather, core::formatUtc(plan.simulation.time), core::formatUtc(field.start()),
+                   core::formatUtc(field.end()));
+}
+
+FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common) {
+    FlightPlan plan;
+    planWeather(plan, common);
+    SimulationOptions& simulation = plan.simulation;
+    simulation.seed = common.seed.value_or(1);
+    simulation.start = startOption(texts.start, plan.place.altitude_m);
+    flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(kAirframeFile));
+    if (!texts.payload.empty())
+        simulation.payload = numberOption("--payload", texts.payload, 0.0, airframe.payloadMax);
+    if (!texts.fuel.empty()) simulation.fuel = numberOption("--fuel", texts.fuel, 0.0, airframe.fuelMax);
+    simulation.settings = common.settings.flight;
+    return plan;
+}
+
+void refuseTogether(bool both, char const* option, char const* other) {
+    if (both) throw core::Error{option, "", fmt::format("expected not together with {}", other)};
+}
+
+std::vector<StampedInput> scriptFrom(std::filesystem::path const& file) {
+    std::vector<StampedInput> script;
+    for (ui::StampedSample const& stamped : ui::readInputCsv(file))
+        script.push_back({stamped.tick, stamped.sample});
+    return script;
+}
+
+void checkModes(PlayTexts const& texts, RunOptions const& run) {
+    if (run.headless && !run.ticks)
+        throw core::Error{"--seconds", "", "expected with --headless: the seconds of flight"};
+    if (!texts.bot.empty() && texts.bot != "courier")
+        throw core::Error{"--bot", "", fmt::format("expected courier, found {}", texts.bot)};
+    refuseTogether(!texts.bot.empty() && !texts.input.empty(), "--input", "--bot");
+}
+}  // namespace
+
+PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
+    CommonOptions common = given;
+    PlayOptions options;
+    options.run = runOptions(texts, common);
+    checkModes(texts, options.run);
+    if (!options.run.headless) usePlayerFiles(common, options.run);
+    if (!texts.assist.empty()) {
+        core::SettingList list = settingList(common.settings);
+        core::assignSetting(*core::findSetting(list, "aircraft.assist"), "--assist", texts.assist);
+    }
+    options.run.settings = common.settings;
+    options.session.plan = flightPlan(texts, common);
+    options.session.courier = !texts.bot.empty();
+    options.session.log = !texts.log.empty();
+    if (!texts.input.empty()) options.session.script = scriptFrom(texts.input);
+    return options;
+}
+
+PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& texts,
+                          CommonOptions const& common) {
+    PlayOptions options;
+    options.run = runOptions(texts, common);
+    options.run.headless = true;
+    options.run.noRender = options.run.noRender || texts.screenshot.empty();
+    Replay replay = readReplay(file);
+    options.run.ticks = replay.ticks;
+    options.run.settings.flight = replay.plan.simulation.settings;
+    options.session.plan = std::move(replay.plan);
+    options.session.script = std::move(replay.inputs);
+    options.session.log = !texts.log.empty();
+    return options;
+}
+}  // namespace luftpost::app

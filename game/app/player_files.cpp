@@ -1,0 +1,52 @@
+#include "game/app/player_files.h"
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/platform/paths.h"
+#include "game/app/play_options.h"
+
+namespace luftpost::app {
+namespace {
+namespace fs = std::filesystem;
+
+/// The player's settings first, then what the command line says, as before.
+void readSettingsBelowCommandLine(CommonOptions& common, fs::path const& file) {
+    Settings settings;
+    core::SettingList list = settingList(settings);
+    for (std::string const& line : core::readPlayerSettings(list, file).lines) fmt::print("{}\n", line);
+    if (!common.settingsFile.empty()) core::readSettings(list, common.settingsFile);
+    for (std::string const& assignment : common.assignments) core::assignSetting(list, "--set", assignment);
+    common.settings = settings;
+}
+}  // namespace
+
+void usePlayerFiles(CommonOptions& common, RunOptions& run) {
+    std::error_code ignored;
+    fs::create_directories(platform::configFolder(), ignored);
+    fs::create_directories(platform::dataFolder(), ignored);
+    run.settingsFile = platform::configFolder() / "settings.toml";
+    if (run.save.empty()) run.save = platform::dataFolder() / "save.json";
+    readSettingsBelowCommandLine(common, run.settingsFile);
+    if (!common.seed) common.seed = loadCareer(run.save).seed;
+}
+
+delivery::Career loadCareer(fs::path const& file) {
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return {};
+    try {
+        return delivery::parseCareer(core::readFile(file), file.string());
+    } catch (core::Error const& error) {
+        fs::rename(file, file.string() + ".bad", ignored);
+        fmt::print("{}; set aside as {}.bad\n", error.what(), file.string());
+        return {};
+    }
+}
+
+void saveCareer(fs::path const& file, delivery::Career const& career) {
+    try {
+        core::writeFileAtomically(file, delivery::careerText(career));
+    } catch (core::Error const& error) {
+        fmt::print("{}\n", error.what());
+    }
+}
+}  // namespace luftpost::app

@@ -1,0 +1,76 @@
+#include "game/app/report.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace luftpost::app {
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json dropJson(delivery::Drop const& drop) {
+    Json json{{"t_s", drop.t},
+              {"release",
+               {{"east_m", drop.releaseWorld.x},
+                {"north_m", -drop.releaseWorld.z},
+                {"altitude_m", drop.releaseWorld.y}}},
+              {"landing", nullptr},
+              {"distance_m", nullptr},
+              {"score", drop.score}};
+    if (!drop.landingTime) return json;
+    json["landing"] = {
+        {"t_s", *drop.landingTime}, {"east_m", drop.landingWorld.x}, {"north_m", -drop.landingWorld.z}};
+    json["distance_m"] = drop.distance;
+    return json;
+}
+
+/// The share's value among the sorted ones, nearest rank; 0 of none.
+double percentile(std::vector<double> const& sorted, double share) {
+    if (sorted.empty()) return 0.0;
+    auto const rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+    return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+Json timesJson(std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    return {
+        {"p50", percentile(times, 0.5)}, {"p99", percentile(times, 0.99)}, {"max", percentile(times, 1.0)}};
+}
+
+Json valueJson(core::SettingValue const& value) {
+    return std::visit([](auto const& v) { return Json(v); }, value);
+}
+}  // namespace
+
+double residentMemory_mb() {
+    std::ifstream statm{"/proc/self/statm"};
+    double total = 0.0, resident = 0.0;
+    statm >> total >> resident;
+    return statm ? resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1.0e6 : 0.0;
+}
+
+std::string reportText(FlightReport const& report) {
+    Json json{{"seconds", report.seconds},
+              {"deliveries", report.deliveries},
+              {"score", report.score},
+              {"crashes", report.crashes},
+              {"drops", Json::array()},
+              {"state_hash", report.stateHashes},
+              {"frames", report.frame_ms.size()},
+              {"gl_errors", report.glErrors},
+              {"chunks",
+               {{"made", report.chunks.made},
+                {"cached", report.chunks.cached},
+                {"evicted", report.chunks.evicted},
+                {"peak_bytes", report.chunks.peakBytes}}},
+              {"frame_ms", timesJson(report.frame_ms)},
+              {"memory", {{"rss_mb", residentMemory_mb()}, {"gpu_mb", report.gpu_mb}}},
+              {"changed", Json::object()}};
+    for (delivery::Drop const& drop : report.drops) json["drops"].push_back(dropJson(drop));
+    for (auto const& [key, value] : report.changed) json["changed"][key] = valueJson(value);
+    return json.dump(2) + "\n";
+}
+}  // namespace luftpost::app

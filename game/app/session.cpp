@@ -1,0 +1,68 @@
+#include "game/app/session.h"
+
+#include "engine/core/error.h"
+#include "engine/platform/paths.h"
+#include "game/app/instruments.h"
+
+namespace luftpost::app {
+namespace {
+/// Every weather that the script will use, loaded before the first tick.
+void loadScriptedWeather(World& world, std::vector<StampedInput> const& script) {
+    for (StampedInput const& input : script)
+        if (auto const* change = std::get_if<WeatherInput>(&input.what)) world.loadWeather(change->source);
+}
+}  // namespace
+
+Session::Session(SessionOptions options)
+    : options_{std::move(options)},
+      world_{options_.plan.weather, options_.plan.place, options_.plan.simulation.seed},
+      simulation_{world_, flight::loadAirframe(platform::dataFile(kAirframeFile)), options_.plan.simulation},
+      log_{world_.place()} {
+    std::string const& found = world_.field().origin().sha256;
+    if (found != options_.plan.weatherSha256)
+        throw core::Error{options_.plan.weather, "",
+                          "expected the recording of the replay, sha256 " + options_.plan.weatherSha256 +
+                              ", found " + found};
+    loadScriptedWeather(world_, options_.script);
+    if (options_.courier) courier_.emplace(world_.ground());
+    keepRow();
+}
+
+void Session::input(FlightInput const& what) {
+    inputs_.push_back({simulation_.tick(), what});
+    simulation_.apply(what);
+}
+
+void Session::tick() {
+    while (scriptDone_ < options_.script.size() && options_.script[scriptDone_].tick <= simulation_.tick())
+        input(options_.script[scriptDone_++].what);
+    if (courier_ && simulation_.tick() % bot::kTicksPerDecision == 0) askCourier();
+    simulation_.step();
+    keepRow();
+    if (simulation_.tick() % core::kTicksPerSecond == 0) hashes_.push_back(simulation_.stateHash());
+}
+
+void Session::askCourier() {
+    ui::InputSample const sample = courier_->decide(instruments(simulation_));
+    if (sample == sample_) return;
+    sample_ = sample;
+    input(sample);
+}
+
+void Session::keepRow() {
+    if (options_.log && simulation_.tick() % FlightLog::kTicksPerRow == 0)
+        log_.add(simulation_.seconds(), simulation_.aircraft().state());
+}
+
+FlightReport Session::report() const {
+    delivery::Delivery const& delivery = simulation_.delivery();
+    FlightReport report;
+    report.seconds = simulation_.seconds();
+    report.deliveries = delivery.deliveries();
+    report.score = delivery.score();
+    report.crashes = simulation_.crashes();
+    report.drops = delivery.drops();
+    report.stateHashes = hashes_;
+    return report;
+}
+}  // namespace luftpost::app

@@ -1,0 +1,58 @@
+// One flight with all that accompanies it: the list of inputs, the bot, the log, the hashes.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/app/flight_log.h"
+#include "game/app/flight_plan.h"
+#include "game/app/report.h"
+#include "game/app/simulation.h"
+#include "game/app/world.h"
+#include "game/bot/courier.h"
+
+namespace luftpost::app {
+struct SessionOptions {
+    FlightPlan plan;
+    std::vector<StampedInput> script;  // by tick: the input file or a replay
+    bool courier = false;              // the bot flies
+    bool log = false;                  // keep the log's rows
+};
+
+class Session {
+public:
+    /// Throws core::Error when the weather cannot be loaded, is not the one of the plan, or the start lies
+    /// underground.
+    explicit Session(SessionOptions options);
+
+    /// What the player or the bot does now: acts from the next tick and is kept for the replay.
+    void input(FlightInput const& what);
+    /// One tick: what is due of the script, the bot at 20 Hz, the simulation, log and hash.
+    void tick();
+
+    Simulation const& simulation() const { return simulation_; }
+    std::vector<FlightEventAt> takeEvents() { return simulation_.takeEvents(); }
+    World& world() { return world_; }
+    World const& world() const { return world_; }
+
+    std::string const& logText() const { return log_.text(); }
+    Replay replay() const { return {options_.plan, simulation_.tick(), inputs_}; }
+    /// What the flight itself knows of its report.
+    FlightReport report() const;
+
+private:
+    void askCourier();
+    void keepRow();
+
+    SessionOptions options_;
+    World world_;
+    Simulation simulation_;
+    FlightLog log_;
+    std::size_t scriptDone_ = 0;
+    std::optional<bot::Courier> courier_;
+    ui::InputSample sample_;
+    std::vector<StampedInput> inputs_;
+    std::vector<std::string> hashes_;
+};
+}  // namespace luftpost::app

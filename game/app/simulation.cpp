@@ -1,0 +1,172 @@
+#include "game/app/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/core/check.h"
+#include "engine/core/error.h"
+#include "engine/core/math.h"
+#include "game/app/state_hash.h"
+
+namespace luftpost::app {
+namespace {
+constexpr double kRespawnHeight = 300.0;  // m above the ground
+constexpr double kFuelThatFlies = 5.0;    // kg; with less, a respawn fills up
+
+glm::dvec2 directionEastNorth(double heading) { return {core::sin(heading), core::cos(heading)}; }
+
+/// The airfield's end from which a take-off goes into the wind, and the heading there.
+struct RunwayStart {
+    glm::dvec2 eastNorth{0.0};
+    double heading = 0.0;
+};
+RunwayStart runwayStart(World const& world, core::UtcSeconds time) {
+    terrain::Runway const& runway = world.land().runway();
+    glm::dvec2 const wind = world.field().at(0.0, 0.0, time).windSurface;
+    bool const reversed = wind.x * runway.directionEastNorth.x + wind.y * runway.directionEastNorth.y > 0.0;
+    // A length of the aircraft inside the threshold, so that every wheel stands on the strip.
+    glm::dvec2 const along = runway.directionEastNorth * (reversed ? -1.0 : 1.0);
+    return {runway.threshold(reversed) + along * 10.0, runway.heading + (reversed ? core::kPi : 0.0)};
+}
+
+glm::dvec2 startEastNorth(World const& world, SimulationOptions const& options) {
+    return options.start.runway ? runwayStart(world, options.time).eastNorth : glm::dvec2{0.0};
+}
+double startHeading(World const& world, SimulationOptions const& options) {
+    return options.start.runway ? runwayStart(world, options.time).heading : options.start.heading;
+}
+}  // namespace
+
+Simulation::Simulation(World& world, flight::Airframe const& airframe, SimulationOptions const& options)
+    : world_{world},
+      aircraft_{airframe, options.payload, options.fuel},
+      delivery_{options.seed, startEastNorth(world, options),
+                directionEastNorth(startHeading(world, options)), world.ground()},
+      settings_{options.settings},
+      utcAtTickZero_{options.time},
+      payload_{options.payload},
+      fuel_{options.fuel} {
+    startFlight(options);
+    stick_.setThrottle(aircraft_.state().trim.throttle);
+    before_ = aircraft_.state();
+}
+
+void Simulation::startFlight(SimulationOptions const& options) {
+    core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
+        return world_.air().at(p, t);
+    };
+    if (options.start.runway) {
+        RunwayStart const start = runwayStart(world_, options.time);
+        aircraft_.startOnRunway(start.eastNorth.x, start.eastNorth.y, start.heading, air, world_.ground(),
+                                options.time);
+        return;
+    }
+    double const ground = world_.ground()(0.0, 0.0).height;
+    if (!(options.start.altitude > ground))
+        throw core::Error{"--start", "",
+                          fmt::format("expected an altitude above the ground, {:.0f} m, found {}", ground,
+                                      options.start.altitude)};
+    aircraft_.startInAir({0.0, options.start.altitude, 0.0}, options.start.heading, options.start.tas, air,
+                         world_.ground(), options.time);
+}
+
+void Simulation::apply(FlightInput const& input) {
+    if (auto const* sample = std::get_if<ui::InputSample>(&input)) sample_ = *sample;
+    if (auto const* weather = std::get_if<WeatherInput>(&input)) world_.useWeather(weather->source);
+    if (auto const* clock = std::get_if<ClockInput>(&input)) utcAtTickZero_ = clock->utc - seconds();
+    if (auto const* change = std::get_if<SettingInput>(&input)) {
+        core::SettingList list;
+        appendFlightSettings(list, settings_);
+        core::Setting* const setting = core::findSetting(list, change->key);
+        CHECK(setting, "{} does not change the flight", change->key);
+        setting->set(change->value);
+    }
+}
+
+void Simulation::step() {
+    weather::AirInstant const instant = world_.air().instant(utc());
+    core::AirFunction const air = [&instant](glm::dvec3 const& p, core::UtcSeconds) { return instant.at(p); };
+    ui::Stick::Action const action = stick_.step(sample_, settings_.input);
+    if (action.respawn) respawn();
+    if (action.drop) releaseParcel();
+    stepAircraft(action, air);
+    stepDelivery(air);
+    ++tick_;
+    if (aircraft_.state().crashed()) {
+        ++crashes_;
+        note(FlightEvent::crashed, aircraft_.state().positionWorld,
+             flight::crashText(aircraft_.airframe(), aircraft_.state()));
+        respawn();
+    }
+}
+
+void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction const& air) {
+    before_ = aircraft_.state();
+    flight::Controls controls = action.controls;
+    controls.throttle = stick_.controls().throttle;  // a respawn in this tick has moved the lever
+    aircraft_.step(controls, settings_.pilot.assist, settings_.assist, air, world_.ground(), utc());
+    flight::AircraftState const& now = aircraft_.state();
+    if (now.touchdownTick != before_.touchdownTick && now.touchdownTick >= 0)
+        note(FlightEvent::touchdown, now.positionWorld,
+             fmt::format("Touchdown at {:.1f} m/s", now.touchdownSpeed));
+}
+
+void Simulation::releaseParcel() {
+    flight::AircraftState const& state = aircraft_.state();
+    glm::dvec3 const hatch = state.positionWorld + state.worldFromBody * glm::dvec3{0.0, -0.8, 0.0};
+    if (delivery_.release(hatch, state.velocityWorld, seconds()) != delivery::DeliveryEvent::released) return;
+    aircraft_.setPayload(std::max(0.0, payload_ - delivery_.parcelData().mass));
+    note(FlightEvent::released, hatch);
+}
+
+void Simulation::stepDelivery(core::AirFunction const& air) {
+    using delivery::DeliveryEvent;
+    delivery::DropZone const due = delivery_.target();
+    DeliveryEvent const event = delivery_.step(air, world_.ground(), seconds(), utc());
+    if (event == DeliveryEvent::none) return;
+    if (event == DeliveryEvent::chuteOpened)
+        return note(FlightEvent::chuteOpened, delivery_.parcel()->positionWorld);
+    aircraft_.setPayload(payload_);
+    delivery::Drop const& drop = delivery_.drops().back();
+    if (event == DeliveryEvent::delivered)
+        note(FlightEvent::delivered, drop.landingWorld,
+             fmt::format("Delivered at {}: {:.0f} points, {:.0f} m from the centre", due.name, drop.score,
+                         drop.distance));
+    if (event == DeliveryEvent::lost)
+        note(FlightEvent::lost, drop.landingWorld,
+             fmt::format("The parcel is lost: {:.0f} m from the centre of {}. A new one is aboard",
+                         drop.distance, due.name));
+}
+
+void Simulation::respawn() {
+    core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
+        return world_.air().at(p, t);
+    };
+    if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
+    aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
+    stick_.setThrottle(aircraft_.state().trim.throttle);
+    before_ = aircraft_.state();
+    note(FlightEvent::respawned, aircraft_.state().positionWorld);
+}
+
+void Simulation::note(FlightEvent event, glm::dvec3 const& positionWorld, std::string text) {
+    events_.push_back({event, positionWorld, std::move(text)});
+}
+
+std::vector<FlightEventAt> Simulation::takeEvents() { return std::exchange(events_, {}); }
+
+std::string Simulation::stateHash() const {
+    StateHash hash;
+    auto const take = [&](double value) { hash.take(value); };
+    flight::forEachNumber(aircraft_.state(), take);
+    delivery::forEachNumber(delivery_, take);
+    stick_.forEachNumber(take);
+    take(static_cast<double>(tick_));
+    take(utc());
+    hash.take(delivery_.randomState());
+    return hash.text();
+}
+}  // namespace luftpost::app

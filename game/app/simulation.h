@@ -1,0 +1,91 @@
+// Everything that changes the flight, in ticks of 1/240 s: clock, inputs, aircraft, parcel, job. The same
+// inputs at the same ticks give the same bits, at any frame rate and with any number of workers.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/flight/aircraft.h"
+#include "game/app/flight_settings.h"
+#include "game/app/inputs.h"
+#include "game/app/world.h"
+#include "game/delivery/delivery.h"
+#include "game/ui/input.h"
+
+namespace luftpost::app {
+/// How a flight begins. Angles in radians.
+struct FlightStart {
+    bool runway = false;    // on the airfield's threshold, nose into the wind; else in the air:
+    double altitude = 0.0;  // m above sea level
+    double tas = 50.0;      // m/s relative to the local air
+    double heading = 0.0;   // clockwise from true north
+};
+
+struct SimulationOptions {
+    unsigned seed = 1;
+    core::UtcSeconds time = 0.0;
+    FlightStart start;
+    double payload = 240.0, fuel = 100.0;  // kg
+    FlightSettings settings;
+};
+
+/// What a tick brought about, for messages and sounds.
+enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown };
+struct FlightEventAt {
+    FlightEvent event = FlightEvent::released;
+    glm::dvec3 positionWorld{0.0};
+    std::string text;  // for the player; may be empty
+};
+
+class Simulation {
+public:
+    /// `world` must outlive the simulation. Throws core::Error when the start lies below the ground.
+    Simulation(World& world, flight::Airframe const& airframe, SimulationOptions const& options);
+    Simulation(Simulation const&) = delete;
+    Simulation& operator=(Simulation const&) = delete;
+
+    /// Acts from the next step on.
+    void apply(FlightInput const& input);
+    /// One tick.
+    void step();
+
+    long long tick() const { return tick_; }  // the next one to be stepped; its beginning is now
+    double seconds() const { return static_cast<double>(tick_) * core::kTickSeconds; }
+    core::UtcSeconds utc() const { return utcAtTickZero_ + seconds(); }
+
+    flight::Aircraft const& aircraft() const { return aircraft_; }
+    flight::AircraftState const& before() const {
+        return before_;
+    }  // of the tick before, for the picture between
+    delivery::Delivery const& delivery() const { return delivery_; }
+    ui::Stick const& stick() const { return stick_; }
+    FlightSettings const& settings() const { return settings_; }
+    World const& world() const { return world_; }
+    int crashes() const { return crashes_; }
+
+    /// The events since the last call, in order.
+    std::vector<FlightEventAt> takeEvents();
+    /// 16 hex digits over everything that the flight's future depends on.
+    std::string stateHash() const;
+
+private:
+    void startFlight(SimulationOptions const& options);
+    void releaseParcel();
+    void respawn();
+    void stepAircraft(ui::Stick::Action const& action, core::AirFunction const& air);
+    void stepDelivery(core::AirFunction const& air);
+    void note(FlightEvent event, glm::dvec3 const& positionWorld, std::string text = {});
+
+    World& world_;
+    flight::Aircraft aircraft_;
+    flight::AircraftState before_;
+    delivery::Delivery delivery_;
+    FlightSettings settings_;
+    ui::InputSample sample_;
+    ui::Stick stick_;
+    long long tick_ = 0;
+    core::UtcSeconds utcAtTickZero_ = 0.0;
+    double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
+    int crashes_ = 0;
+    std::vector<FlightEventAt> events_;
+};
+}  // namespace luftpost::app

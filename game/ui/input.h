@@ -1,0 +1,90 @@
+// From what devices say to the pilot's stick, tick by tick. Keyboard, gamepad, input file and bot all come
+// through here, so that a recorded list of samples is the flight.
+#pragma once
+#include <optional>
+
+#include "engine/flight/assist.h"
+#include "game/ui/input_settings.h"
+
+namespace luftpost::ui {
+enum class FlightKey : unsigned {
+    thrustUp,
+    thrustDown,
+    rollLeft,
+    rollRight,
+    noseDown,
+    noseUp,
+    yawLeft,
+    yawRight,
+    brakes,
+    drop,
+    flapsDown,
+    flapsUp,
+    respawn,
+    count
+};
+
+/// A stick that is simply where it is: the input file's and the bot's. Without a throttle the lever stays.
+struct DirectStick {
+    std::optional<double> throttle;
+    double elevator = 0.0, aileron = 0.0, rudder = 0.0, flaps = 0.0, brakes = 0.0;
+    bool operator==(DirectStick const&) const = default;
+};
+
+/// Gamepad as the device gives it, -1..1: roll + right, pitch + nose up, yaw + right, thrust + more; brakes
+/// 0..1.
+struct PadAxes {
+    float roll = 0.0f, pitch = 0.0f, yaw = 0.0f, thrust = 0.0f, brakes = 0.0f;
+    bool operator==(PadAxes const&) const = default;
+};
+
+/// What all devices say at one moment. Held until the next sample.
+struct InputSample {
+    unsigned keys = 0;  // bit i: FlightKey i is held (or the gamepad's button for it)
+    PadAxes pad;
+    std::optional<DirectStick> direct;  // takes the place of keys and pad, but for drop and respawn
+
+    bool held(FlightKey key) const { return (keys >> static_cast<unsigned>(key) & 1u) != 0; }
+    void hold(FlightKey key, bool on = true) {
+        unsigned const bit = 1u << static_cast<unsigned>(key);
+        keys = on ? keys | bit : keys & ~bit;
+    }
+    bool operator==(InputSample const&) const = default;
+};
+
+/// The levers and the stick, advanced once a tick.
+class Stick {
+public:
+    static constexpr double kLeverSeconds = 2.0;  // full travel of the thrust lever by keys
+    static constexpr int kFlapNotches = 3;
+    static constexpr double kRespawnSeconds = 0.7;  // how long the key is held
+
+    /// What the pilot's hands do in this tick.
+    struct Action {
+        flight::Controls controls;
+        bool drop = false;     // the key went down in this tick
+        bool respawn = false;  // held long enough in this tick
+    };
+    Action step(InputSample const& sample, InputSettings const& settings);
+
+    /// The lever of a start or respawn.
+    void setThrottle(double throttle) { controls_.throttle = throttle; }
+    flight::Controls const& controls() const { return controls_; }
+
+    template <class Take>
+    void forEachNumber(Take&& take) const {
+        for (double value : {controls_.throttle, controls_.elevator, controls_.aileron, controls_.rudder,
+                             controls_.flaps, controls_.brakes})
+            take(value);
+        take(static_cast<double>(before_.keys)), take(static_cast<double>(respawnTicks_));
+    }
+
+private:
+    void follow(DirectStick const& stick);
+    void followKeys(InputSample const& sample, InputSettings const& settings);
+
+    flight::Controls controls_;
+    InputSample before_;
+    int respawnTicks_ = 0;
+};
+}  // namespace luftpost::ui

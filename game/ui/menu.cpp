@@ -1,0 +1,352 @@
+#include "game/ui/menu.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "engine/core/time.h"
+#include "game/ui/draw_text.h"
+
+namespace luftpost::ui {
+namespace {
+using core::Setting;
+using core::SettingValue;
+
+float unit() { return fonts().scale; }
+
+std::string_view groupOf(std::string_view key) { return key.substr(0, key.find('.')); }
+
+/// Pages in this order, others after them under their own name.
+struct Page {
+    std::string_view group, title;
+};
+constexpr std::array<Page, 6> kPages{{{"aircraft", "Aircraft"}, {"clouds", "Clouds"}, {"graphics", "Picture"}, {"sound", "Sound"},
+                                      {"hud", "HUD"}, {"input", "Controls"}}};
+
+std::string capitalised(std::string_view text) {
+    std::string result{text};
+    if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+    return result;
+}
+
+struct Unit {
+    std::string_view suffix, sign;
+};
+constexpr std::array<Unit, 10> kUnits{{{"_deg", "\u00b0"}, {"_dps", "\u00b0/s"}, {"_ev", " EV"}, {"_km", " km"}, {"_m", " m"},
+                                       {"_s", " s"}, {"_kg", " kg"}, {"_kt", " kt"}, {"_ft", " ft"}, {"_mps", " m/s"}}};
+
+std::string_view unitOf(std::string_view key) {
+    for (Unit const& u : kUnits)
+        if (key.ends_with(u.suffix)) return u.sign;
+    return {};
+}
+
+/// "aircraft.rollFactor" -> "Roll factor", "graphics.field_of_view_deg" -> "Field of view".
+std::string labelOf(std::string_view key) {
+    std::string_view name = key.substr(key.find('.') + 1);
+    for (Unit const& u : kUnits)
+        if (name.ends_with(u.suffix)) {
+            name.remove_suffix(u.suffix.size());
+            break;
+        }
+    std::string label;
+    for (char c : name) {
+        if (std::isupper(static_cast<unsigned char>(c))) label += ' ', c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        label += c == '_' || c == '.' ? ' ' : c;
+    }
+    return capitalised(label);
+}
+
+std::string numberFormat(Setting const& setting) {
+    double const range = setting.max - setting.min;
+    int const decimals = setting.whole || range >= 200.0 ? 0 : range >= 20.0 ? 1 : range >= 0.5 ? 2 : 4;
+    std::string unitSign{unitOf(setting.key)};
+    return fmt::format("%.{}f{}", decimals, unitSign);
+}
+
+/// A notch on the slider where the default stands.
+void markDefault(Setting const& setting, double initial) {
+    ImVec2 const from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    float const grab = ImGui::GetStyle().GrabMinSize;
+    auto const share = static_cast<float>((initial - setting.min) / std::max(setting.max - setting.min, 1e-12));
+    float const x = std::round(from.x + 2.0f + 0.5f * grab + share * (to.x - from.x - grab - 4.0f));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddTriangleFilled({x, to.y - 5.0f * unit()}, {x - 4.0f * unit(), to.y + 1.0f * unit()}, {x + 4.0f * unit(), to.y + 1.0f * unit()}, colour::kFaint);
+}
+
+/// The value over the slider with a halo, so that the grab does not hide it.
+void drawNumberText(std::string const& format, double value) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), format.c_str(), value);
+    ImVec2 const from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    glm::vec2 const at{0.5f * (from.x + to.x), 0.5f * (from.y + to.y - fonts().normal.size_px)};
+    luftpost::ui::drawText(*ImGui::GetWindowDrawList(), fonts().normal, at, colour::kPaper, text.data(), 0.5f);
+}
+
+std::optional<SettingValue> drawNumber(Setting const& setting, double value) {
+    bool const logarithmic = setting.min > 0.0 && setting.max / setting.min > 50.0;
+    ImGuiSliderFlags const flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    std::string const format = numberFormat(setting);
+    bool const typing = ImGui::TempInputIsActive(ImGui::GetID("##value"));
+    if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
+    bool const changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &setting.min, &setting.max, format.c_str(), flags);
+    if (!typing) ImGui::PopStyleColor();
+    if (!logarithmic) markDefault(setting, std::get<double>(setting.initial));
+    if (!typing) drawNumberText(format, value);
+    if (!changed) return std::nullopt;
+    return SettingValue{setting.whole ? std::round(value) : value};
+}
+
+std::optional<SettingValue> drawWord(Setting const& setting, std::string const& value) {
+    std::optional<SettingValue> answer;
+    if (!ImGui::BeginCombo("##value", value.c_str())) return answer;
+    for (std::string_view word : setting.words) {
+        std::string const text{word};
+        if (ImGui::Selectable(text.c_str(), text == value)) answer = SettingValue{text};
+    }
+    ImGui::EndCombo();
+    return answer;
+}
+
+std::optional<SettingValue> drawTextBox(std::string value) {
+    if (ImGui::InputText("##value", &value, ImGuiInputTextFlags_EnterReturnsTrue)) return SettingValue{std::move(value)};
+    return std::nullopt;
+}
+
+std::optional<SettingValue> drawValue(Setting const& setting, SettingValue const& value) {
+    if (auto const* number = std::get_if<double>(&value)) return drawNumber(setting, *number);
+    if (auto const* text = std::get_if<std::string>(&value)) return setting.words.empty() ? drawTextBox(*text) : drawWord(setting, *text);
+    bool on = std::get<bool>(value);
+    if (ImGui::Checkbox(on ? "on##value" : "off##value", &on)) return SettingValue{on};
+    return std::nullopt;
+}
+
+/// The help in small letters; a note in brackets at its end is left to the tooltip.
+void drawHelp(std::string_view help) {
+    std::string_view const all = help;
+    if (help.ends_with(')')) help = help.substr(0, help.rfind(" ("));
+    ImGui::PushFont(fonts().small.letters);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(help.data(), help.data() + help.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (all.size() != help.size() && ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(all.size()), all.data());
+}
+
+/// Label, control and way back in one line, the help under it.
+void drawSetting(Setting const& setting, ConfigAnswer& answer) {
+    std::string const key{setting.key};
+    SettingValue const value = setting.get();
+    bool const changed = value != setting.initial;
+    ImGui::PushID(key.c_str());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(changed ? colour::kYellow : colour::kPaper), "%s", labelOf(setting.key).c_str());
+    float const reset = 30.0f * unit();
+    ImGui::SameLine(158.0f * unit());
+    ImGui::SetNextItemWidth(-reset);
+    if (auto wanted = drawValue(setting, value)) answer.changes.push_back({key, std::move(*wanted)});
+    if (changed) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - reset + 6.0f * unit());
+        if (ImGui::Button("\u2190", {reset - 6.0f * unit(), 0.0f})) answer.changes.push_back({key, setting.initial});
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Back to %s", core::settingText(setting.initial).c_str());
+    }
+    drawHelp(setting.help);
+    ImGui::Dummy({0.0f, 1.0f * unit()});
+    ImGui::PopID();
+}
+
+void resetGroup(core::SettingList const& settings, std::string_view group, ConfigAnswer& answer) {
+    for (Setting const& setting : settings)
+        if ((group.empty() || groupOf(setting.key) == group) && setting.get() != setting.initial)
+            answer.changes.push_back({std::string{setting.key}, setting.initial});
+}
+
+bool beginPage(char const* title) {
+    ImGui::PushFont(fonts().small.letters);
+    bool const open = ImGui::BeginTabItem(title);
+    ImGui::PopFont();
+    return open;
+}
+
+void drawPage(core::SettingList const& settings, std::string_view group, std::string const& title, ConfigAnswer& answer) {
+    bool const any = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) { return groupOf(s.key) == group; });
+    if (!any || !beginPage(title.c_str())) return;
+    float const foot = ImGui::GetFrameHeightWithSpacing() + 12.0f * unit();
+    ImGui::BeginChild("rows", {0.0f, -foot}, false);
+    ImGui::Dummy({0.0f, 2.0f * unit()});
+    for (Setting const& setting : settings)
+        if (groupOf(setting.key) == group) drawSetting(setting, answer);
+    ImGui::EndChild();
+    ImGui::Separator();
+    if (ImGui::Button(fmt::format("Reset {}", title).c_str())) resetGroup(settings, group, answer);
+    ImGui::SameLine();
+    if (ImGui::Button("Reset everything")) resetGroup(settings, {}, answer);
+    ImGui::EndTabItem();
+}
+
+std::string hourText(double utc) {
+    std::string const time = core::formatUtc(utc);
+    return fmt::format("{}  {} UTC", time.substr(0, 10), time.substr(11, 5));
+}
+
+void drawTimeOfDay(MenuWeather const& weather, ConfigAnswer& answer) {
+    constexpr double kHour = 3600.0, kDay = 86400.0;
+    bool const preset = weather.end <= weather.start;
+    double const start = preset ? std::floor(weather.utc / kDay) * kDay : weather.start;
+    double const end = preset ? start + kDay - 60.0 : weather.end;
+    ImGui::TextUnformatted("Time");
+    ImGui::SameLine();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", hourText(weather.utc).c_str());
+    double hours = std::clamp((weather.utc - start) / kHour, 0.0, (end - start) / kHour);
+    double const none = 0.0, most = (end - start) / kHour;
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &hours, &none, &most, "%.1f h after the start", ImGuiSliderFlags_AlwaysClamp))
+        answer.utc = start + hours * kHour;
+    constexpr std::array<std::pair<char const*, double>, 6> kSteps{{{"\u22121 day", -24.0}, {"\u22121 h", -1.0}, {"\u221210 min", -1.0 / 6.0}, {"+10 min", 1.0 / 6.0}, {"+1 h", 1.0}, {"+1 day", 24.0}}};
+    for (auto const& [label, step] : kSteps) {
+        if (ImGui::Button(label)) answer.utc = std::clamp(weather.utc + step * kHour, start, end);
+        if (label != kSteps.back().first) ImGui::SameLine(0.0f, 5.0f * unit());
+    }
+    drawHelp(preset ? "A preset holds all day: choose the hour." : "The recording holds its nearest end outside its own hours.");
+}
+
+void drawWeatherPage(MenuWeather const& weather, ConfigAnswer& answer) {
+    if (!beginPage("Weather")) return;
+    ImGui::BeginChild("rows", {0.0f, 0.0f}, false);
+    ImGui::Dummy({0.0f, 2.0f * unit()});
+    drawTimeOfDay(weather, answer);
+    ImGui::Dummy({0.0f, 6.0f * unit()});
+    ImGui::Separator();
+    ImGui::TextUnformatted("Source");
+    for (MenuWeather::Source const& source : weather.sources) {
+        ImGui::PushID(source.source.c_str());
+        if (ImGui::RadioButton(source.label.c_str(), source.source == weather.current) && source.source != weather.current)
+            answer.source = source.source;
+        ImGui::PopID();
+    }
+    drawHelp("A recorded real day moves clouds, wind, rain and light as it did; a preset stays as it is.");
+    ImGui::EndChild();
+    ImGui::EndTabItem();
+}
+
+void drawPages(core::SettingList const& settings, MenuWeather const& weather, ConfigAnswer& answer) {
+    drawPage(settings, "aircraft", "Aircraft", answer);
+    drawWeatherPage(weather, answer);
+    for (Page const& page : kPages)
+        if (page.group != "aircraft") drawPage(settings, page.group, std::string{page.title}, answer);
+    std::vector<std::string_view> others;
+    for (Setting const& setting : settings) {
+        std::string_view const group = groupOf(setting.key);
+        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.group == group; });
+        if (!known && std::find(others.begin(), others.end(), group) == others.end()) others.push_back(group);
+    }
+    for (std::string_view group : others) drawPage(settings, group, capitalised(group), answer);
+}
+
+/// Darkens the picture behind a menu that stops the flight.
+void drawVeil() {
+    ImVec2 const size = ImGui::GetIO().DisplaySize;
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0.0f, 0.0f}, size, IM_COL32(8, 10, 14, 120));
+}
+
+void beginCentred(char const* name, float width, float height) {
+    ImVec2 const size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * size.x, 0.47f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+}
+
+void drawTitle(std::string const& title, std::string const& line) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    drawPlainText(list, fonts().large, {at.x, at.y}, colour::kYellow, title);
+    drawPlainText(list, fonts().small, {at.x, at.y + 33.0f * unit()}, colour::kFaint, line);
+    ImGui::Dummy({0.0f, 58.0f * unit()});
+}
+
+void drawKeyRow(KeyHelp const& row) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::TableNextRow(ImGuiTableRowFlags_None, 29.0f * unit());
+    ImGui::TableSetColumnIndex(0);
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float x = at.x;
+    for (std::size_t from = 0; from < row.caps.size();) {  // caps stand apart where the text has spaces
+        std::size_t const to = std::min(row.caps.find(' ', from), row.caps.size());
+        if (to > from) x += drawKeyCap(list, fonts().small, {x, at.y + 2.0f * unit()}, row.caps.substr(from, to - from)) + 5.0f * unit();
+        from = to + 1;
+    }
+    ImGui::TableSetColumnIndex(1);
+    ImGui::TextUnformatted(row.action.c_str());
+    ImGui::TableSetColumnIndex(2);
+    ImGui::TextDisabled("%s", row.gamepad.c_str());
+}
+}  // namespace
+
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather) {
+    ConfigAnswer answer;
+    ImVec2 const size = ImGui::GetIO().DisplaySize;
+    float const width = std::min(446.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
+    ImGui::SetNextWindowPos({size.x - 14.0f * unit(), top}, ImGuiCond_Appearing, {1.0f, 0.0f});
+    ImGui::SetNextWindowSize({width, size.y - top - 150.0f * unit()}, ImGuiCond_Appearing);
+    bool open = true;
+    if (ImGui::Begin("Settings", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+        if (ImGui::BeginTabBar("pages", ImGuiTabBarFlags_FittingPolicyScroll)) {
+            drawPages(settings, weather, answer);
+            ImGui::EndTabBar();
+        }
+    }
+    ImGui::End();
+    answer.close = !open;
+    return answer;
+}
+
+PauseChoice drawPauseMenu() {
+    drawVeil();
+    beginCentred("pause", 340.0f * unit(), 0.0f);
+    drawTitle("Paused", "The post can wait a minute.");
+    constexpr std::array<std::pair<char const*, PauseChoice>, 5> kButtons{{{"Fly on", PauseChoice::resume}, {"Settings", PauseChoice::config}, {"Keys", PauseChoice::keys}, {"Start again", PauseChoice::restart}, {"Quit", PauseChoice::quit}}};
+    PauseChoice choice = PauseChoice::none;
+    for (auto const& [label, which] : kButtons)
+        if (ImGui::Button(label, {-1.0f, 38.0f * unit()})) choice = which;
+    ImGui::End();
+    return choice;
+}
+
+bool drawKeysPage(std::span<KeyHelp const> rows) {
+    drawVeil();
+    float const height = std::min(ImGui::GetIO().DisplaySize.y - 40.0f * unit(), (250.0f + 33.0f * static_cast<float>(rows.size())) * unit());
+    beginCentred("keys", 640.0f * unit(), height);
+    drawTitle("Keys", "Keys are named after their place; the letters are those of your keyboard.");
+    ImGui::BeginChild("rows", {0.0f, -50.0f * unit()}, false);
+    std::string group;
+    bool open = false;
+    for (KeyHelp const& row : rows) {
+        if (row.group != group || !open) {
+            if (open) ImGui::EndTable();
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", row.group.c_str());
+            open = ImGui::BeginTable(row.group.c_str(), 3, ImGuiTableFlags_SizingStretchProp);
+            if (!open) break;
+            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.27f);
+            ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.40f);
+            ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthStretch, 0.33f);
+            group = row.group;
+        }
+        drawKeyRow(row);
+    }
+    if (open) ImGui::EndTable();
+    ImGui::EndChild();
+    bool const close = ImGui::Button("Close", {-1.0f, 36.0f * unit()});
+    ImGui::End();
+    return close;
+}
+}  // namespace luftpost::ui
