@@ -13,6 +13,7 @@ constexpr double kReferenceSpeed = 51.4;  // m/s (100 kt), where the gains below
 constexpr double kNormalBankLimit = core::radians(65.0);
 constexpr double kEasyBank = core::radians(50.0);
 constexpr double kEasyClimb = core::radians(18.0);
+constexpr double kPedalLean = 0.35;
 constexpr double kFlareHeight = 15.0;     // m; below it easy lets the aircraft be slow and land
 
 /// What all laws read, taken once.
@@ -92,13 +93,18 @@ double angleToAltitude(Flight const& f, double altitude, double most) {
     return std::clamp(0.35 * (altitude - f.state.positionWorld.y) / f.speed, -most, most);
 }
 
+/// How far past the pilot's stops the assist may turn a surface: only where the settings ask for more than their
+/// default, and at most twice as far.
+double lentTravel(double asked, double usual) { return std::clamp(asked / usual, 1.0, 2.0); }
+
 double aileronForRate(Flight const& f, double rate, AssistMemory& memory) {
     double const error = rate - f.now.rollRate;
+    double const most = lentTravel(f.settings.rollFactor * f.settings.rollSpeed_dps, 60.0);
     double const command =
         f.state.trim.aileron + memory.rollIntegral + f.gain * (0.82 * rate + 0.35 * error);
-    if (std::abs(command) < 1.0 || command * error < 0.0)
+    if (std::abs(command) < most || command * error < 0.0)
         memory.rollIntegral = std::clamp(memory.rollIntegral + 0.8 * f.gain * error * f.dt, -0.5, 0.5);
-    return std::clamp(command, -1.0, 1.0);
+    return std::clamp(command, -most, most);
 }
 
 /// Keeps a roll rate from carrying the bank past the limit, and brings it back from beyond.
@@ -114,10 +120,12 @@ double rudderForTurn(Flight const& f, double pedal, AssistMemory& memory) {
     double const centring = (1.0 - std::min(std::abs(f.settings.inducedYawFactor - 1.0), 1.0)) *
                             (std::abs(pedal) < kStickFree ? 1.0 : 0.0);
     double const error = wanted - f.now.yawRate + centring * f.now.beta;
-    double const command = f.state.trim.rudder + memory.yawIntegral + 2.0 * f.gain * error;
-    if (std::abs(command) < 1.0 || command * error < 0.0)
-        memory.yawIntegral = std::clamp(memory.yawIntegral + 1.0 * f.gain * error * f.dt, -1.0, 1.0);
-    return std::clamp(command, -1.0, 1.0);
+    double const most = std::max(lentTravel(f.settings.yawSpeed_dps, 15.0),
+                                 1.0 + std::min(std::abs(f.settings.inducedYawFactor - 1.0), 1.0));
+    double const command = f.state.trim.rudder + memory.yawIntegral + 2.5 * f.gain * error;
+    if (std::abs(command) < most || command * error < 0.0)
+        memory.yawIntegral = std::clamp(memory.yawIntegral + 3.0 * f.gain * error * f.dt, -most, most);
+    return std::clamp(command, -most, most);
 }
 
 /// With a wheel on the ground the stick is the surfaces, the pedals steer with a damper, and the memory follows, so
@@ -138,8 +146,20 @@ SurfaceCommands groundCommands(Flight const& f, bool easy, AssistMemory& memory)
     return out;
 }
 
+/// The bank of a coordinated turn at the yaw rate that the pedal asks for.
+double pedalBank(Flight const& f) {
+    return core::atan(f.speed * f.stick.rudder * radiansOf(f.settings.yawSpeed_dps) / core::kGravity);
+}
+
+/// With the stick free the wings come level, or lean a little into the turn that the pedal asks for: skidding round
+/// alone is slow.
 double freeRollRate(Flight const& f, AssistMemory& memory) {
     double const fastest = radiansOf(f.settings.rollSpeed_dps);
+    if (std::abs(f.stick.rudder) >= kStickFree && f.now.height > kFlareHeight) {
+        double const lean = kPedalLean * pedalBank(f);
+        memory.heldBank = f.now.roll;
+        return std::clamp(1.5 * (lean - f.now.roll), -fastest, fastest);
+    }
     if (f.settings.stabilizingRoll > 0.0) {
         memory.heldBank = f.now.roll;
         return std::clamp(-f.settings.stabilizingRoll * f.now.roll, -fastest, fastest);
@@ -191,12 +211,10 @@ double throttleForSpeed(Flight const& f, double climbAngle, AssistMemory& memory
 /// Where easy steers: the bank that the stick and the pedals point to.
 double easyRollRate(Flight const& f, AssistMemory& memory) {
     double const fastest = radiansOf(f.settings.rollSpeed_dps);
-    double const pedalTurn = f.stick.rudder * radiansOf(f.settings.yawSpeed_dps);
-    double const pedalBank = core::atan(f.speed * pedalTurn / core::kGravity);
     bool const steered = std::abs(f.stick.aileron) >= kStickFree || std::abs(f.stick.rudder) >= kStickFree;
     if (!steered) return freeRollRate(f, memory);
     double const bank =
-        std::clamp(f.settings.rollFactor * f.stick.aileron * kEasyBank + pedalBank, -kNormalBankLimit, kNormalBankLimit);
+        std::clamp(f.settings.rollFactor * f.stick.aileron * kEasyBank + pedalBank(f), -kNormalBankLimit, kNormalBankLimit);
     memory.heldBank = f.now.roll;
     return std::clamp(3.0 * (bank - f.now.roll), -fastest, fastest);
 }
@@ -244,7 +262,9 @@ SurfaceCommands lightCommands(Flight const& f) {
     SurfaceCommands out = directCommands(f);
     if (f.now.onGround) return out;
     double const coordinated = core::kGravity / f.speed * core::sin(f.now.roll) * core::cos(f.now.pitch);
-    out.rudder = std::clamp(out.rudder + 2.0 * f.now.beta + 1.0 * f.gain * (coordinated - f.now.yawRate), -1.0, 1.0);
+    double const withAileron = 0.35 * f.gain * f.gain * f.stick.aileron;  // ahead of the adverse yaw
+    double const damping = 1.0 * f.gain * (coordinated - f.now.yawRate);
+    out.rudder = std::clamp(out.rudder + withAileron + 3.0 * f.now.beta + damping, -1.0, 1.0);
     return out;
 }
 }  // namespace

@@ -28,12 +28,9 @@ struct Motion {
     glm::dvec3 ratesBody{0.0};  // rad/s
 };
 
-/// The turn by the vector `rotation` (axis times angle, rad): the exponential map.
-glm::dquat turnBy(glm::dvec3 const& rotation);
-
-/// One step of `dt` seconds. Semi-implicit for the position. The angular momentum is carried in the world frame, where
-/// a body without torque keeps it to the last bit, and the attitude follows the exponential map of the rate at the
-/// step's middle (implicit midpoint): neither the energy nor the momentum drifts. inertia in kg m2, body frame.
+/// One step of `dt` seconds. Semi-implicit for the position. Euler's equations by the midpoint rule, the attitude turned
+/// by the mean rate of the step (a Lie group midpoint): without torque the body's momentum only turns, so neither its
+/// size nor the energy drifts, however long. inertia in kg m2, body frame.
 Motion moved(Motion const& motion, Loads const& loads, glm::dvec3 const& gravityWorld, double mass,
              glm::dmat3 const& inertia, double dt);
 }  // namespace luftpost::flight

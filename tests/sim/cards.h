@@ -1,82 +1,72 @@
 // Test cards: each flies one manoeuvre with the bare stick (assist sim) and gives its figures.
 #pragma once
-#include <algorithm>
 #include <vector>
 
 #include "tests/sim/test_flight.h"
 
 namespace luftpost::flight {
-/// The test pilot: holds a pitch attitude or an airspeed with the elevator, the wings level, the ball centred.
+/// The test pilot: holds a pitch attitude, a climb or an airspeed with the elevator, the wings level, the ball centred.
 class TestPilot {
 public:
-    explicit TestPilot(TestFlight& flight) : flight_{flight} {}
+    explicit TestPilot(TestFlight& flight);
 
-    void holdPitch(double pitch) {
-        Readings const& now = flight_.now();
-        double const error = pitch - now.pitch;
-        double const gain = std::min(51.0 / std::max(now.tas, 15.0), 2.0);
-        integral_ = std::clamp(integral_ + 1.5 * gain * error * core::kTickSeconds, -1.0, 1.0);
-        flight_.stick.elevator = std::clamp(gain * (3.0 * error - 0.8 * now.pitchRate) + integral_, -1.0, 1.0);
-    }
+    void holdPitch(double pitch);
     /// Calibrated airspeed in m/s, by pitch.
-    void holdSpeed(double cas) {
-        double const acceleration = (flight_.now().cas - lastCas_) / core::kTickSeconds;
-        if (lastCas_ > 0.0) smoothAcceleration_ += 0.01 * (acceleration - smoothAcceleration_);
-        lastCas_ = flight_.now().cas;
-        double const wanted = 0.012 * (flight_.now().cas - cas) + 0.03 * smoothAcceleration_;
-        pitch_ = std::clamp(pitch_ + 0.3 * wanted * core::kTickSeconds * 4.0, -0.5, 0.5);
-        holdPitch(std::clamp(pitch_ + wanted, -0.5, 0.5));
-    }
-    void holdWings(double bank = 0.0) {
-        Readings const& now = flight_.now();
-        flight_.stick.aileron = std::clamp(1.5 * (bank - now.roll) - 0.4 * now.rollRate, -1.0, 1.0);
-        flight_.stick.rudder = std::clamp(2.0 * now.beta - 0.8 * now.yawRate, -1.0, 1.0);
-    }
-    void startAtPitch() { pitch_ = flight_.now().pitch; }
+    void holdSpeed(double cas);
+    /// m/s upward, by pitch.
+    void holdClimb(double climb);
+    void holdWings(double bank = 0.0);
+    /// On the ground: along the line x = 0 to the north.
+    void steerNorth();
 
 private:
     TestFlight& flight_;
     double integral_ = 0.0, pitch_ = 0.0, lastCas_ = 0.0, smoothAcceleration_ = 0.0;
 };
 
-/// Power off, slowing by 1 kt/s: the least calibrated airspeed, kt.
-inline double stallSpeed_kt(double flaps) {
-    TestFlight flight;
-    flight.inAir(500.0, fromKnots(65.0));
-    TestPilot pilot{flight};
-    pilot.startAtPitch();
-    flight.stick.throttle = 0.0;
-    flight.stick.flaps = flaps;
-    double least = 1e9;
-    flight.fly(60.0, [&](double t) {
-        pilot.holdSpeed(fromKnots(t < 10.0 ? 63.0 : 63.0 - (t - 10.0)));
-        pilot.holdWings();
-        if (t > 10.0) least = std::min(least, flight.now().cas);
-        return flight.now().stalled < 0.5;
-    });
-    return knots(least);
-}
+/// Power off, slowing by 1 kt/s: the least calibrated airspeed before half the wing has stalled.
+double stallSpeed_kt(double flaps);
 
-struct Climb {
-    double speed_kt, rate_mps, distance;
+/// The steady path at a calibrated airspeed and a share of power, measured over 40 s.
+struct SteadyPath {
+    double climb_mps, run_m;
 };
-/// Steady path at a calibrated airspeed and a share of power from `altitude`: mean climb over 40 s and ground covered.
-inline Climb steadyClimb(double altitude, double cas_kt, double power) {
-    TestFlight flight;
-    double const sigma = isaAir(altitude).density / 1.225;
-    flight.inAir(altitude, fromKnots(cas_kt) / std::sqrt(sigma));
-    TestPilot pilot{flight};
-    pilot.startAtPitch();
-    double start = 0.0, east = 0.0;
-    double const settle = 40.0;
-    flight.stick.throttle = power;
-    flight.fly(settle + 40.0, [&](double t) {
-        pilot.holdSpeed(fromKnots(cas_kt));
-        pilot.holdWings();
-        if (t <= settle) start = flight.state().positionWorld.y, east = flight.state().positionWorld.z;
-        return true;
-    });
-    return {knots(flight.now().cas), (flight.state().positionWorld.y - start) / 40.0,
-            std::abs(flight.state().positionWorld.z - east)};
-}
+SteadyPath steadyPath(double altitude, double cas_kt, double power);
+struct Best {
+    double value, speed_kt;
+};
+Best bestGlide();                      // ratio
+Best bestClimb_fpm(double altitude);
+double levelSpeed_kt();
+double ceiling_ft();                   // 100 ft/min left
+
+struct Distances {
+    double roll_ft = 0.0, over50ft_ft = 0.0, touchdown_mps = 0.0, off_m = 0.0;
+    bool crashed = false;
+};
+Distances takeOff();
+Distances landing(double windFromRight_kt);
+
+/// A damped oscillation read from the extremes of a record about `mean`.
+struct Oscillation {
+    double period_s = 0.0, damping = 0.0;
+};
+Oscillation oscillation(std::vector<double> const& record, double step, double mean);
+Oscillation phugoid();
+Oscillation shortPeriod();
+Oscillation dutchRoll();
+
+struct Roll {
+    double rate_dps, timeConstant_s;
+};
+Roll fullAileron(double kt);
+/// Seconds in which a bank of 10 degrees doubles; negative: halves.
+double spiralDoubling_s(double kt);
+struct Pulse {
+    double alpha_deg, pitchRate_dps, leftAlpha_deg, leftPitchRate_dps;
+};
+/// Elevator 0.1 for half a second: the peaks, and what is left 1.5 s after its end.
+Pulse elevatorPulse();
+/// rms of the load factor about 1 in Dryden turbulence at 100 kt and 500 ft, for a wind at 20 ft in ft/s.
+double gustLoad_g(double w20_fps);
 }  // namespace luftpost::flight

@@ -27,6 +27,12 @@ public:
         : aircraft{loadAirframe(std::string{LUFTPOST_SOURCE_DIR} + "/assets/airframes/" + airframe + ".json"), payload,
                    fuel} {}
 
+    explicit TestFlight(AssistLevel level, AssistSettings const& parameters = {}) : TestFlight{} {
+        assist = level;
+        settings = parameters;
+    }
+    TestFlight(TestFlight const&) = delete;  // its air looks back at it
+
     /// `tas` in m/s at `altitude` m, north.
     TestFlight& inAir(double altitude, double tas) {
         aircraft.startInAir({0.0, altitude, 0.0}, 0.0, tas, air, ground, 0.0);
