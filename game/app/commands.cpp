@@ -3,5 +3,7 @@
 namespace luftpost::app {
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addSkyCommand(app, common, chosen);
+    addWeatherCommand(app, common, chosen);
+    addAirCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
