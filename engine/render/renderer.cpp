@@ -19,6 +19,7 @@
 #include "engine/render/model_pass.h"
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
+#include "engine/render/precipitation_pass.h"
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
@@ -71,6 +72,7 @@ struct Renderer::Parts {
           land{wanted.workers},
           terrain{programs},
           composite{programs},
+          precipitation{programs},
           exposure{programs},
           models{programs},
           post{programs},
@@ -99,6 +101,7 @@ struct Renderer::Parts {
     LandScene land;
     TerrainPass terrain;
     CompositePass composite;
+    PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
     PostPass post;
@@ -148,6 +151,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("clear", [&] { p.clear(*p.targets); });
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
+    pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
