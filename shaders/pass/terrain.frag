@@ -1,4 +1,5 @@
 #version 450 core
+#include "shaders/lib/cloud_shadow.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/terrain_mesh.glsl"
 #include "shaders/lib/terrain_light.glsl"
@@ -48,6 +49,6 @@ void main() {
     tilted = normalize(tilted + vec3(world.x, 0.0, world.z) / kCurvatureRadius);
     float free = landLight(offset, ground.x);
     float open = 1.0 - 0.35 * face.canopy;
-    colour = vec4(mattLight(albedo, tilted, free * frame.sunIrradiance.w, open) * frame.exposure.x, 1.0);
+    colour = vec4(mattLight(albedo, tilted, free * cloudShadow(vec3(offset.x, ground.x, -offset.y)), open) * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);
 }
