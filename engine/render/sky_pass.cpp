@@ -34,7 +34,12 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
       view_{gl::Format::rgba32f, kViewSize, 1, "sky view"},
       aerial_{gl::Format::rgba32f, kAerialSize, 1, "aerial radiance"},
       aerialThrough_{gl::Format::rgba32f, kAerialSize, 1, "aerial transmittance"},
-      buffer_{sizeof(glsl::SkyBlock), "sky block"} {}
+      buffer_{sizeof(glsl::SkyBlock), "sky block"} {
+    // The azimuth wraps; the shaders keep the other coordinates inside.
+    view_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+    aerial_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+    aerialThrough_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+}
 
 bool SkyPass::airChanged(sky::AirConditions const& now) const {
     return !tables_ || differs(now.visibility, tablesMadeFor_.visibility, 0.02, 0.0) ||
@@ -56,6 +61,9 @@ void SkyPass::makeLight(View const& view) {
     light_ = sky::skyLight(view.state, *tables_, view.altitude, view.conditions);
     block_.air = sky::atmosphere(view.conditions);
     block_.air.ground = glm::vec4{light_.groundRadiance, block_.air.ground.w};
+    // Over all directions: half of them see the sky's radiance, half the land's.
+    glm::vec3 const under = 0.5f * (light_.sky / static_cast<float>(core::kPi) + light_.groundRadiance);
+    block_.air.under = glm::vec4{under, static_cast<float>(view.conditions.cover)};
     block_.lights.sun = withRadius(view.state.sunDirectionWorld, view.state.sunAngularRadius);
     block_.lights.sunLight = glm::vec4{1.0f};
     block_.lights.moon = withRadius(view.state.moonDirectionWorld, view.state.moonAngularRadius);

@@ -1,5 +1,4 @@
 #version 450 core
-#include "shaders/lib/cloud_shadow.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/terrain_mesh.glsl"
 #include "shaders/lib/terrain_light.glsl"
@@ -15,7 +14,11 @@ layout(location = 1) out vec2 motion;
 
 /// Tilts the normal by fine relief that the mesh does not have.
 vec3 roughened(vec3 normal, LandColour face, float footprint) {
-    if (footprint > 12.0) return normal;
+    if (footprint > 60.0) return normal;
+    vec2 broad = vec2(detailNoise(chunkOrigin.xy, place, 6, 45u, footprint), detailNoise(chunkOrigin.xy, place, 6, 46u, footprint)) +
+                 0.7 * vec2(detailNoise(chunkOrigin.xy, place, 5, 47u, footprint), detailNoise(chunkOrigin.xy, place, 5, 48u, footprint));
+    normal = normalize(normal + 0.55 * face.bump * vec3(broad.x, 0.0, broad.y));
+    if (footprint > 8.0) return normal;
     vec2 tilt = vec2(detailNoise(chunkOrigin.xy, place, 2, 41u, footprint), detailNoise(chunkOrigin.xy, place, 2, 42u, footprint)) +
                 0.6 * vec2(detailNoise(chunkOrigin.xy, place, 4, 43u, footprint), detailNoise(chunkOrigin.xy, place, 4, 44u, footprint));
     return normalize(normal + face.bump * vec3(tilt.x, 0.0, tilt.y));
@@ -47,8 +50,7 @@ void main() {
     vec3 albedo = face.albedo * (1.0 - 0.35 * wet);
     vec3 tilted = roughened(normal, face, footprint);
     tilted = normalize(tilted + vec3(world.x, 0.0, world.z) / kCurvatureRadius);
-    float free = landLight(offset, ground.x);
     float open = 1.0 - 0.35 * face.canopy;
-    colour = vec4(mattLight(albedo, tilted, free * cloudShadow(vec3(offset.x, ground.x, -offset.y)), open) * frame.exposure.x, 1.0);
+    colour = vec4(mattLight(albedo, tilted, ground.x, sunShare(offset, ground.x), open) * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);
 }
