@@ -92,7 +92,7 @@ void Cameras::advanceChase(CameraSubject const& subject, CameraInput const& inpu
     offset = glm::angleAxis(-around_.y, side) * offset;
     pose_.positionWorld = subject.positionWorld + offset;
     double const ahead = std::max(0.0, std::cos(around_.x)) * kAheadSeconds * 12.0;
-    glm::dvec3 const aim = subject.positionWorld + ahead * levelAhead(subject) + glm::dvec3{0.0, 1.9 * distance_, 0.0};
+    glm::dvec3 const aim = subject.positionWorld + ahead * levelAhead(subject) + glm::dvec3{0.0, 0.9 * distance_, 0.0};
     glm::dvec3 const bodyUp = subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0};
     glm::dvec3 const up = glm::normalize(glm::dvec3{0.0, 1.0, 0.0} + 0.16 * bodyUp * (bodyUp.y > 0.0 ? 1.0 : 0.0));
     pose_.worldFromCamera = lookingAlong(aim - pose_.positionWorld, up);
