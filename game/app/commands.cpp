@@ -3,5 +3,6 @@
 namespace luftpost::app {
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addSkyCommand(app, common, chosen);
+    addBenchCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
