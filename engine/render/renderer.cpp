@@ -24,7 +24,9 @@
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
+#include "engine/render/vegetation_pass.h"
 #include "engine/render/view.h"
+#include "engine/render/water_pass.h"
 
 namespace luftpost::render {
 namespace {
@@ -73,6 +75,8 @@ struct Renderer::Parts {
           clouds{programs},
           land{wanted.workers},
           terrain{programs},
+          water{programs},
+          vegetation{programs},
           composite{programs},
           precipitation{programs},
           exposure{programs},
@@ -103,6 +107,8 @@ struct Renderer::Parts {
     CloudPass clouds;
     LandScene land;
     TerrainPass terrain;
+    WaterPass water;
+    VegetationPass vegetation;
     CompositePass composite;
     PrecipitationPass precipitation;
     ExposurePass exposure;
@@ -176,6 +182,8 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
 void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("chunks", [&] { land.update(context); });
     timer.pass("terrain", [&] { terrain.draw(context, land); });
+    timer.pass("trees", [&] { vegetation.draw(context, land); });
+    timer.pass("water", [&] { water.draw(context, land); });
 }
 
 void Renderer::Parts::begin(Snapshot const& snapshot) {

@@ -4,5 +4,6 @@ namespace luftpost::app {
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addSkyCommand(app, common, chosen);
     addBenchCommand(app, common, chosen);
+    addTerrainCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
