@@ -4,6 +4,8 @@ namespace luftpost::app {
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addSkyCommand(app, common, chosen);
     addBenchCommand(app, common, chosen);
+    addWeatherCommand(app, common, chosen);
+    addAirCommand(app, common, chosen);
     addTerrainCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
