@@ -14,7 +14,11 @@ using Input = std::unique_ptr<OIIO::ImageInput>;
 
 /// `name` only tells the format and the message; the bytes are read from memory.
 Input openInput(std::string const& name, OIIO::Filesystem::IOMemReader& memory) {
-    Input input = OIIO::ImageInput::open(name, nullptr, &memory);
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);  // colours as the file has them, not multiplied by alpha
+    void* proxy = &memory;
+    wanted.attribute("oiio:ioproxy", OIIO::TypeDesc(OIIO::TypeDesc::PTR), &proxy);
+    Input input = OIIO::ImageInput::open(name, &wanted);
     if (!input) throw core::Error{name, "", "expected an image: " + OIIO::geterror()};
     OIIO::ImageSpec const& spec = input->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide || spec.height > kMaxImageSide ||
@@ -65,6 +69,7 @@ void write(std::filesystem::path const& file, char const* format, ImageOf<T> con
     if (!output) throw core::Error{file.string(), "", "expected OpenImageIO to write this format: " + OIIO::geterror()};
     OIIO::ImageSpec spec{image.width, image.height, image.channels, type};
     if (image.channels == 1) spec.channelnames = {"Y"};
+    spec.attribute("oiio:UnassociatedAlpha", 1);
     output->set_ioproxy(&memory);
     if (!output->open(std::string{"image."} + format, spec) || !output->write_image(type, image.values.data()) ||
         !output->close())

@@ -10,11 +10,11 @@ namespace {
 constexpr float kTurn = static_cast<float>(2.0 * core::kPi);
 constexpr float kHalfTurn = static_cast<float>(core::kPi);
 
-/// Unit normal and tangent; at a pole (a vanishing derivative) those of a point a hair nearer the middle.
+/// Unit normal and tangent; at a pole (a vanishing derivative along u) those of a point a hair nearer the middle.
 Vertex vertexOf(Surface const& surface, float u, float v) {
     SurfacePoint const here = surface(u, v);
     SurfacePoint slope = here;
-    if (glm::length(glm::cross(here.alongU, here.alongV)) < 1e-6f)
+    if (glm::length(here.alongU) < 1e-5f * glm::length(here.alongV))
         slope = surface(u, v + (v < 0.5f ? 1e-3f : -1e-3f));
     Vertex vertex;
     vertex.position = here.position;

@@ -37,8 +37,8 @@ struct Octant {
     double rest;           // -pi/4..pi/4
     std::int64_t quarter;  // 0..3, quarter turns taken away
 };
-/// x less the nearest multiple of pi/2, which is subtracted in three parts so that no bits are lost: the first two
-/// parts have 33 bits, so that their products with the count are exact (Cody and Waite).
+/// x less the nearest multiple of pi/2, which is subtracted in three parts so that no bits are lost: the
+/// first two parts have 33 bits, so that their products with the count are exact (Cody and Waite).
 Octant reduced(double x) {
     constexpr double kFirst = 0x1.921fb544p+0, kSecond = 0x1.0b4611a6p-34, kThird = 0x1.3198a2e037073p-69;
     if (x > 1.0e15 || x < -1.0e15) x = std::fmod(x, 2.0 * kPi);  // fmod is exact
@@ -73,7 +73,8 @@ double atan(double x) {
     if (x != x) return kNan;
     if (x < 0.0) return -atan(-x);
     if (x > 1.0) return kPi / 2.0 - atan(1.0 / x);
-    // atan x = atan c + atan((x - c) / (1 + x c)) with the nearest quarter c: the series then sees |t| <= 1/8.
+    // atan x = atan c + atan((x - c) / (1 + x c)) with the nearest quarter c: the series then sees |t| <=
+    // 1/8.
     constexpr double kAtanOfQuarters[] = {0.0, 0.24497866312686414, 0.46364760900080609, 0.64350110879328437,
                                           0.78539816339744831};
     auto const quarters = nearest(4.0 * x);

@@ -20,14 +20,18 @@ double deflection(Airframe const& airframe, StripData const& strip, SurfaceComma
         return command > 0.0 ? -command * up : -command * down;
     };
     switch (strip.surface) {
-        case ControlSurface::elevator: return travelled(surfaces.elevator, airframe.elevatorUp, airframe.elevatorDown);
-        case ControlSurface::rudder: return travelled(surfaces.rudder, airframe.rudder, airframe.rudder);
+        case ControlSurface::elevator:
+            return travelled(surfaces.elevator, airframe.elevatorUp, airframe.elevatorDown);
+        case ControlSurface::rudder:
+            return travelled(surfaces.rudder, airframe.rudder, airframe.rudder);
         case ControlSurface::aileron: {
             double const onThisSide = strip.position.z > 0.0 ? surfaces.aileron : -surfaces.aileron;
             return travelled(onThisSide, airframe.aileronUp, airframe.aileronDown);
         }
-        case ControlSurface::flap: return surfaces.flaps * airframe.flapTravel;
-        case ControlSurface::none: break;
+        case ControlSurface::flap:
+            return surfaces.flaps * airframe.flapTravel;
+        case ControlSurface::none:
+            break;
     }
     return 0.0;
 }
@@ -45,7 +49,8 @@ glm::dvec3 inducedVelocity(StripData const& strip, PropellerAnswer const& propel
     if (strip.swirl > 0.0) {
         glm::dvec3 const across{0.0, strip.position.y - shaft.y, strip.position.z - shaft.z};
         double const distance = std::max(glm::length(across), 0.1);
-        velocity += strip.swirl * propeller.swirlSpeed * glm::cross(glm::dvec3{1.0, 0.0, 0.0}, across) / distance;
+        velocity +=
+            strip.swirl * propeller.swirlSpeed * glm::cross(glm::dvec3{1.0, 0.0, 0.0}, across) / distance;
     }
     if (strip.place == StripPlace::tail) velocity -= downwash * speed * strip.normal;
     return velocity;
@@ -76,8 +81,8 @@ AirLoads airLoads(Airframe const& airframe, AircraftState const& state, MassProp
                                     state.propellerRate, centre.density, shaftArm);
     air.loads = air.propeller.loads;
     // The shaft is a gyroscope.
-    air.loads.torque -= glm::cross(
-        state.ratesBody, glm::dvec3{airframe.propeller.inertia * state.propellerRate, 0.0, 0.0});
+    air.loads.torque -=
+        glm::cross(state.ratesBody, glm::dvec3{airframe.propeller.inertia * state.propellerRate, 0.0, 0.0});
 
     double const induced = groundEffect(airframe, height);
     double wingLift = 0.0;
@@ -86,9 +91,9 @@ AirLoads airLoads(Airframe const& airframe, AircraftState const& state, MassProp
         StripState const& kept = state.strips[i];
         glm::dvec3 const arm = strip.position - masses.centre;
         StripFlow flow;
-        flow.velocityBody = bodyFromWorld * (state.velocityWorld - kept.windWorld) +
-                            glm::cross(state.ratesBody, arm) -
-                            inducedVelocity(strip, air.propeller, airframe.propeller.position, state.downwash, speed);
+        flow.velocityBody =
+            bodyFromWorld * (state.velocityWorld - kept.windWorld) + glm::cross(state.ratesBody, arm) -
+            inducedVelocity(strip, air.propeller, airframe.propeller.position, state.downwash, speed);
         flow.density = centre.density;
         flow.deflection = deflection(airframe, strip, state.surfaces);
         flow.inducedShare = strip.place == StripPlace::wing ? induced : 1.0;

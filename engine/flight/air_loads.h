@@ -17,10 +17,10 @@ struct MassProperties {
 MassProperties massProperties(Airframe const& airframe, AircraftState const& state);
 
 struct AirLoads {
-    Loads loads;                 // body frame, about the centre of gravity
+    Loads loads;  // body frame, about the centre of gravity
     PropellerAnswer propeller;
     std::array<StripAnswer, kMaxStrips> strips{};
-    double downwash = 0.0;       // rad, where the tail's downwash tends
+    double downwash = 0.0;  // rad, where the tail's downwash tends
 };
 /// From the state as it is: strips' winds, separation, downwash, surfaces, propeller rate. Pure.
 /// `centre`: the air at the centre of gravity; `height`: of the wheels above the ground, m.

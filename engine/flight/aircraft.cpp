@@ -16,8 +16,8 @@
 namespace luftpost::flight {
 namespace {
 constexpr double kTick = core::kTickSeconds;
-// The strips ask the air in turn, each 60 times a second: at 60 m/s that is once a metre, finer than any gust that the
-// air holds, for a quarter of the cost.
+// The strips ask the air in turn, each 60 times a second: at 60 m/s that is once a metre, finer than any gust
+// that the air holds, for a quarter of the cost.
 constexpr long long kAskEvery = 4;
 constexpr double kHornMargin = core::radians(3.5);
 
@@ -54,7 +54,8 @@ void moveSurfaces(Airframe const& airframe, AircraftState& state) {
 }
 
 /// What flows on at its own pace: separation, downwash, the shaft, fuel, ice.
-void carryOn(Airframe const& airframe, AircraftState& state, AirLoads const& air, core::AirSample const& centre) {
+void carryOn(Airframe const& airframe, AircraftState& state, AirLoads const& air,
+             core::AirSample const& centre) {
     for (std::size_t i = 0; i < airframe.strips.size(); ++i) {
         StripAnswer const& answer = air.strips[i];
         StripState& strip = state.strips[i];
@@ -64,18 +65,22 @@ void carryOn(Airframe const& airframe, AircraftState& state, AirLoads const& air
         strip.lift = answer.lift;
     }
     double const speed = state.readings.tas;
-    state.downwash += std::min(kTick * speed / airframe.downwashLength, 1.0) * (air.downwash - state.downwash);
+    state.downwash +=
+        std::min(kTick * speed / airframe.downwashLength, 1.0) * (air.downwash - state.downwash);
 
     bool const fuel = state.fuel > 0.0;
-    double const torque = engineTorque(airframe.engine, state.surfaces.throttle, state.propellerRate,
-                                       centre.density, fuel) - air.propeller.shaftTorque;
+    double const torque =
+        engineTorque(airframe.engine, state.surfaces.throttle, state.propellerRate, centre.density, fuel) -
+        air.propeller.shaftTorque;
     state.propellerRate = std::max(state.propellerRate + torque / airframe.propeller.inertia * kTick, 0.0);
     state.propellerAngle += state.propellerRate * kTick;
     if (state.propellerAngle > 2.0 * core::kPi) state.propellerAngle -= 2.0 * core::kPi;
     if (fuel)
         state.fuel = std::max(state.fuel - kTick * fuelFlow(airframe.engine, state.surfaces.throttle,
-                                                            state.propellerRate, centre.density), 0.0);
-    // A tenth of the wing's area stands across the flow and catches most of the drops; above freezing the ice goes.
+                                                            state.propellerRate, centre.density),
+                              0.0);
+    // A tenth of the wing's area stands across the flow and catches most of the drops; above freezing the ice
+    // goes.
     double const caught = 0.08 * airframe.wingArea * speed * centre.icing;
     double const melted = centre.temperature > 273.15 ? state.ice / 40.0 : 0.0;
     state.ice = std::clamp(state.ice + kTick * (caught - melted), 0.0, 0.2 * airframe.empty.mass);
@@ -121,7 +126,8 @@ void readAir(Airframe const& airframe, AircraftState& state, core::AirSample con
         if (strip.place != StripPlace::wing) continue;
         area += strip.area;
         left += strip.area * state.strips[i].separation;
-        double const flap = strip.surface == ControlSurface::flap ? state.surfaces.flaps * airframe.flapTravel : 0.0;
+        double const flap =
+            strip.surface == ControlSurface::flap ? state.surfaces.flaps * airframe.flapTravel : 0.0;
         margin = std::min(margin, strip.stallAngle - strip.surfaceStall * flap - state.strips[i].alpha);
     }
     now.stalled = area > 0.0 ? left / area : 0.0;
@@ -137,7 +143,7 @@ void takeReadings(Airframe const& airframe, AircraftState& state, MassProperties
     glm::dvec3 const& v = state.velocityWorld;
     now.groundSpeed = std::sqrt(v.x * v.x + v.z * v.z);
     now.climb = v.y;
-    now.mass = masses.mass;
+    now.mass = airframe.empty.mass + airframe.pilot.mass + state.payload + state.fuel + state.ice;
     now.onGround = false;
     for (WheelState const& wheel : state.wheels) now.onGround = now.onGround || wheel.contact;
     double const height = wheelHeight(airframe, state, masses, below);
@@ -201,7 +207,8 @@ void Aircraft::begin(core::AirSample const& air, core::GroundFunction const& gro
         state_.strips[i].lift = loads.strips[i].lift;
     }
     state_.readings.thrust = loads.propeller.thrust;
-    if (!state_.readings.onGround) state_.readings.loadFactor = loads.loads.force.y / (masses.mass * core::kGravity);
+    if (!state_.readings.onGround)
+        state_.readings.loadFactor = loads.loads.force.y / (masses.mass * core::kGravity);
     state_.assist.holdsAltitude = 1.0;
     state_.assist.heldAltitude = state_.positionWorld.y;
     state_.assist.startSpeed = state_.readings.cas;
@@ -257,15 +264,15 @@ void Aircraft::step(Controls const& stick, AssistLevel level, AssistSettings con
         settleWreck(state_, masses, airframe_, below);
     } else {
         askAir(airframe_, state_, masses, air, time);
-        state_.commands =
-            assistedCommands(airframe_, state_, stick, level, settings, state_.assist, kTick);
+        state_.commands = assistedCommands(airframe_, state_, stick, level, settings, state_.assist, kTick);
         moveSurfaces(airframe_, state_);
         AirLoads const fromAir = airLoads(airframe_, state_, masses, centre, state_.readings.height);
         GroundLoads const fromGround = groundLoads(airframe_, state_, masses, below, ground, kTick);
         Loads loads = fromAir.loads;
         loads += fromGround.loads;
         state_.wheels = fromGround.wheels;
-        judgeContact(state_, airframe_, fromGround, strikeUnderGround(airframe_, state_, masses, below, ground));
+        judgeContact(state_, airframe_, fromGround,
+                     strikeUnderGround(airframe_, state_, masses, below, ground));
         carryOn(airframe_, state_, fromAir, centre);
         state_.readings.thrust = fromAir.propeller.thrust;
         state_.readings.loadFactor = loads.force.y / (masses.mass * core::kGravity);
@@ -276,8 +283,8 @@ void Aircraft::step(Controls const& stick, AssistLevel level, AssistSettings con
     takeReadings(airframe_, state_, masses, centre, below);
 }
 
-AircraftPose interpolatedPose(Airframe const& airframe, AircraftState const& earlier, AircraftState const& later,
-                              double share) {
+AircraftPose interpolatedPose(Airframe const& airframe, AircraftState const& earlier,
+                              AircraftState const& later, double share) {
     auto const mix = [share](auto const& a, auto const& b) { return a + share * (b - a); };
     AircraftPose pose;
     pose.worldFromBody = glm::slerp(earlier.worldFromBody, later.worldFromBody, share);
@@ -295,14 +302,16 @@ AircraftPose interpolatedPose(Airframe const& airframe, AircraftState const& ear
 
 std::string crashText(Airframe const& airframe, AircraftState const& state) {
     switch (state.crash) {
-        case CrashReason::none: return "";
+        case CrashReason::none:
+            return "";
         case CrashReason::hardLanding:
-            return fmt::format("The landing was too hard: {:.1f} m/s ({:.1f} is the limit)", state.touchdownSpeed,
-                               airframe.touchdownLimit);
+            return fmt::format("The landing was too hard: {:.1f} m/s ({:.1f} is the limit)",
+                               state.touchdownSpeed, airframe.touchdownLimit);
         case CrashReason::strike:
             return fmt::format("The {} struck the ground",
                                airframe.strikes[static_cast<std::size_t>(state.struck)].name);
-        case CrashReason::water: return "The aircraft came down in water";
+        case CrashReason::water:
+            return "The aircraft came down in water";
     }
     return "";
 }

@@ -1,5 +1,5 @@
-// One aircraft in flight: rigid body, strips, propeller, wheels and assist, stepped once a tick. The air and the
-// ground come in as functions. Same inputs, same bits, on every machine. Not for two threads at once.
+// One aircraft in flight: rigid body, strips, propeller, wheels and assist, stepped once a tick. The air and
+// the ground come in as functions. Same inputs, same bits, on every machine. Not for two threads at once.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -15,16 +15,17 @@ public:
     /// Payload and fuel in kg, >= 0. The airframe is copied.
     Aircraft(Airframe airframe, double payload, double fuel);
 
-    /// In the air at `positionWorld`, wings level, no sideslip, true airspeed `tas` (m/s) relative to the local air,
-    /// nose to `heading` (rad clockwise from north); throttle and trim are solved for level flight: start the lever at
-    /// state().trim.throttle, with the stick centred. Too slow or too fast for level flight: the nearest that can be.
+    /// In the air at `positionWorld`, wings level, no sideslip, true airspeed `tas` (m/s) relative to the
+    /// local air, nose to `heading` (rad clockwise from north); throttle and trim are solved for level
+    /// flight: start the lever at state().trim.throttle, with the stick centred. Too slow or too fast for
+    /// level flight: the nearest that can be.
     void startInAir(glm::dvec3 const& positionWorld, double heading, double tas, core::AirFunction const& air,
                     core::GroundFunction const& ground, core::UtcSeconds time);
     /// On its wheels at the point `east`, `north` (m), at rest, engine idling, nose to `heading`.
     void startOnRunway(double east, double north, double heading, core::AirFunction const& air,
                        core::GroundFunction const& ground, core::UtcSeconds time);
-    /// As startInAir at the place of the crash, `height` above the ground there (and never below where the aircraft
-    /// is), at a comfortable cruise; payload and fuel stay.
+    /// As startInAir at the place of the crash, `height` above the ground there (and never below where the
+    /// aircraft is), at a comfortable cruise; payload and fuel stay.
     void respawn(double height, core::AirFunction const& air, core::GroundFunction const& ground,
                  core::UtcSeconds time);
 

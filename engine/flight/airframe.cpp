@@ -156,7 +156,8 @@ void readStrips(Reader& in, Airframe& frame) {
     for (Reader& item : in.objects("strips", kMaxStrips)) {
         StripData strip = readStrip(item);
         bool const both = item.flag("mirrored");
-        if (both && !(strip.position.z > 0.0)) item.refuse("position", "a place on the right for a mirrored strip");
+        if (both && !(strip.position.z > 0.0))
+            item.refuse("position", "a place on the right for a mirrored strip");
         std::string const name = strip.name;
         if (both) strip.name = "right " + name;
         frame.strips.push_back(strip);
@@ -166,7 +167,8 @@ void readStrips(Reader& in, Airframe& frame) {
         }
         item.finish();
     }
-    if (frame.strips.size() > kMaxStrips) in.refuse("strips", fmt::format("at most {} strips, both sides counted", kMaxStrips));
+    if (frame.strips.size() > kMaxStrips)
+        in.refuse("strips", fmt::format("at most {} strips, both sides counted", kMaxStrips));
 }
 
 void readPropeller(Reader in, PropellerData& p) {
@@ -176,7 +178,8 @@ void readPropeller(Reader in, PropellerData& p) {
     p.advance = in.numbers("advance", 0.0, 5.0);
     p.thrust = in.numbers("thrust", -1.0, 1.0);
     p.power = in.numbers("power", -1.0, 1.0);
-    if (p.advance.size() < 2 || p.advance.front() != 0.0) in.refuse("advance", "two or more numbers, the first 0");
+    if (p.advance.size() < 2 || p.advance.front() != 0.0)
+        in.refuse("advance", "two or more numbers, the first 0");
     for (std::size_t i = 1; i < p.advance.size(); ++i)
         if (!(p.advance[i] > p.advance[i - 1])) in.refuse("advance", "rising numbers");
     if (p.thrust.size() != p.advance.size()) in.refuse("thrust", "as many numbers as advance has");
@@ -267,7 +270,9 @@ void readWingAndControls(Reader& in, Airframe& frame) {
 }
 
 void readSpeeds(Reader in, Airframe& frame) {
-    auto const speed = [&](char const* key) { return in.number(key, 5.0, 500.0) * core::kMetresPerSecondPerKnot; };
+    auto const speed = [&](char const* key) {
+        return in.number(key, 5.0, 500.0) * core::kMetresPerSecondPerKnot;
+    };
     frame.stallSpeed = speed("stall_kt");
     frame.stallSpeedFlaps = speed("stallFlaps_kt");
     frame.flapLimitSpeed = speed("flapLimit_kt");

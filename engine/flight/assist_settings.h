@@ -1,19 +1,21 @@
-// The seven parameters of the layer between the stick and the control surfaces, as the config menu shows them.
+// The seven parameters of the layer between the stick and the control surfaces, as the config menu shows
+// them.
 #pragma once
 #include <tuple>
 
 #include "engine/core/settings.h"
 
 namespace luftpost::flight {
-/// They act in `normal` and `easy`; maxThrottle acts at every level. Angles in degrees: they are what a player reads.
+/// They act in `normal` and `easy`; maxThrottle acts at every level. Angles in degrees: they are what a
+/// player reads.
 struct AssistSettings {
-    double rollFactor = 1.0;         // share of the roll command
-    double rollSpeed_dps = 60.0;     // roll rate of the full stick
-    double pitchSpeed_dps = 25.0;    // pitch rate of the full stick
-    double yawSpeed_dps = 15.0;      // yaw rate of the full pedal
-    double stabilizingRoll = 0.5;    // 1/s, rate to wings level with the stick free
-    double inducedYawFactor = 1.0;   // share of the coordinated turn g tan(bank) / V flown unasked
-    double maxThrottle = 1.0;        // share of full power at the full lever
+    double rollFactor = 1.0;        // share of the roll command
+    double rollSpeed_dps = 60.0;    // roll rate of the full stick
+    double pitchSpeed_dps = 25.0;   // pitch rate of the full stick
+    double yawSpeed_dps = 15.0;     // yaw rate of the full pedal
+    double stabilizingRoll = 0.5;   // 1/s, rate to wings level with the stick free
+    double inducedYawFactor = 1.0;  // share of the coordinated turn g tan(bank) / V flown unasked
+    double maxThrottle = 1.0;       // share of full power at the full lever
 };
 
 inline constexpr std::tuple assistFields{

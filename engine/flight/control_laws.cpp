@@ -14,7 +14,7 @@ constexpr double kNormalBankLimit = core::radians(65.0);
 constexpr double kEasyBank = core::radians(50.0);
 constexpr double kEasyClimb = core::radians(18.0);
 constexpr double kPedalLean = 0.35;
-constexpr double kFlareHeight = 15.0;     // m; below it easy lets the aircraft be slow and land
+constexpr double kFlareHeight = 15.0;  // m; below it easy lets the aircraft be slow and land
 
 /// What all laws read, taken once.
 struct Flight {
@@ -24,8 +24,8 @@ struct Flight {
     AssistSettings const& settings;
     Controls const& stick;
     double dt;
-    double speed;       // m/s, never too small to divide by
-    double gain;        // controls bite with the square of the speed, damping with the speed: gains go as 1 / speed
+    double speed;  // m/s, never too small to divide by
+    double gain;  // controls bite with the square of the speed, damping with the speed: gains go as 1 / speed
     double climbAngle;  // rad, of the path over the ground
 };
 
@@ -45,8 +45,10 @@ double stallAlpha(Flight const& f) {
     double least = 1.0;
     for (StripData const& strip : f.airframe.strips) {
         if (strip.place != StripPlace::wing) continue;
-        double const flap = strip.surface == ControlSurface::flap ? f.state.surfaces.flaps * f.airframe.flapTravel : 0.0;
-        least = std::min(least, strip.stallAngle - 0.35 * strip.stallWidth - strip.surfaceStall * flap - strip.incidence);
+        double const flap =
+            strip.surface == ControlSurface::flap ? f.state.surfaces.flaps * f.airframe.flapTravel : 0.0;
+        least = std::min(
+            least, strip.stallAngle - 0.35 * strip.stallWidth - strip.surfaceStall * flap - strip.incidence);
     }
     return least;
 }
@@ -55,8 +57,8 @@ double stallAlpha(Flight const& f) {
 double elevatorForLoad(Flight const& f, double wanted, AssistMemory& memory) {
     double const slope = loadFactorSlope(f);
     double const guard = stallAlpha(f) - radiansOf(0.5);
-    double const alpha =
-        std::clamp(f.now.alpha + (std::clamp(wanted, -1.5, 4.5) - f.now.loadFactor) / slope, radiansOf(-10.0), guard);
+    double const alpha = std::clamp(f.now.alpha + (std::clamp(wanted, -1.5, 4.5) - f.now.loadFactor) / slope,
+                                    radiansOf(-10.0), guard);
     double const load = f.now.loadFactor + (alpha - f.now.alpha) * slope;
     double const turning = std::clamp(
         (load - core::cos(f.now.pitch) * core::cos(f.now.roll)) * core::kGravity / f.speed, -1.0, 1.0);
@@ -76,16 +78,19 @@ double loadForPath(Flight const& f, double climbAngle, double fastest = 0.2) {
 }
 
 double stallSpeed(Flight const& f) {
-    return f.airframe.stallSpeed + f.state.surfaces.flaps * (f.airframe.stallSpeedFlaps - f.airframe.stallSpeed);
+    return f.airframe.stallSpeed +
+           f.state.surfaces.flaps * (f.airframe.stallSpeedFlaps - f.airframe.stallSpeed);
 }
 
-/// Keeps a load factor from taking the path where the speed would run out, up or down. Near the ground, where one
-/// lands, it may be slow.
+/// Keeps a load factor from taking the path where the speed would run out, up or down. Near the ground, where
+/// one lands, it may be slow.
 double guardedLoad(Flight const& f, double load) {
     double const margin = f.now.height < kFlareHeight ? 1.0 : 1.25, stall = stallSpeed(f);
     double const steepest = std::clamp(1.2 * (f.now.cas / stall - margin), -0.2, radiansOf(50.0));
-    double const dive = std::clamp((f.now.cas - 0.97 * f.airframe.neverExceedSpeed) / 20.0, radiansOf(-60.0), 0.1);
-    return std::clamp(load, loadForPath(f, dive, 0.4), std::max(loadForPath(f, steepest, 0.4), loadForPath(f, dive, 0.4)));
+    double const dive =
+        std::clamp((f.now.cas - 0.97 * f.airframe.neverExceedSpeed) / 20.0, radiansOf(-60.0), 0.1);
+    return std::clamp(load, loadForPath(f, dive, 0.4),
+                      std::max(loadForPath(f, steepest, 0.4), loadForPath(f, dive, 0.4)));
 }
 
 /// The climb angle that brings the held altitude back.
@@ -93,15 +98,14 @@ double angleToAltitude(Flight const& f, double altitude, double most) {
     return std::clamp(0.35 * (altitude - f.state.positionWorld.y) / f.speed, -most, most);
 }
 
-/// How far past the pilot's stops the assist may turn a surface: only where the settings ask for more than their
-/// default, and at most twice as far.
+/// How far past the pilot's stops the assist may turn a surface: only where the settings ask for more than
+/// their default, and at most twice as far.
 double lentTravel(double asked, double usual) { return std::clamp(asked / usual, 1.0, 2.0); }
 
 double aileronForRate(Flight const& f, double rate, AssistMemory& memory) {
     double const error = rate - f.now.rollRate;
     double const most = lentTravel(f.settings.rollFactor * f.settings.rollSpeed_dps, 60.0);
-    double const command =
-        f.state.trim.aileron + memory.rollIntegral + f.gain * (0.82 * rate + 0.35 * error);
+    double const command = f.state.trim.aileron + memory.rollIntegral + f.gain * (0.82 * rate + 0.35 * error);
     if (std::abs(command) < most || command * error < 0.0)
         memory.rollIntegral = std::clamp(memory.rollIntegral + 0.8 * f.gain * error * f.dt, -0.5, 0.5);
     return std::clamp(command, -most, most);
@@ -115,7 +119,8 @@ double guardedRollRate(double rate, double bank, double limit) {
 /// Rudder for the induced share of the coordinated turn and what the pedal asks.
 double rudderForTurn(Flight const& f, double pedal, AssistMemory& memory) {
     double const coordinated = core::kGravity / f.speed * core::sin(f.now.roll) * core::cos(f.now.pitch);
-    double const wanted = f.settings.inducedYawFactor * coordinated + pedal * radiansOf(f.settings.yawSpeed_dps);
+    double const wanted =
+        f.settings.inducedYawFactor * coordinated + pedal * radiansOf(f.settings.yawSpeed_dps);
     // The ball is centred as far as the turn is flown unasked, and while the pedal is left alone.
     double const centring = (1.0 - std::min(std::abs(f.settings.inducedYawFactor - 1.0), 1.0)) *
                             (std::abs(pedal) < kStickFree ? 1.0 : 0.0);
@@ -128,8 +133,8 @@ double rudderForTurn(Flight const& f, double pedal, AssistMemory& memory) {
     return std::clamp(command, -most, most);
 }
 
-/// With a wheel on the ground the stick is the surfaces, the pedals steer with a damper, and the memory follows, so
-/// that the hand-over at lift-off is smooth.
+/// With a wheel on the ground the stick is the surfaces, the pedals steer with a damper, and the memory
+/// follows, so that the hand-over at lift-off is smooth.
 SurfaceCommands groundCommands(Flight const& f, bool easy, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
     out.elevator = std::clamp(f.state.trim.elevator + f.stick.elevator, -1.0, 1.0);
@@ -137,11 +142,12 @@ SurfaceCommands groundCommands(Flight const& f, bool easy, AssistMemory& memory)
     double const wanted = f.stick.rudder * radiansOf(f.settings.yawSpeed_dps);
     double const error = wanted - f.now.yawRate;
     out.rudder = std::clamp(0.6 * f.stick.rudder + 1.2 * error + memory.yawIntegral, -1.0, 1.0);
-    double const yawIntegral = f.now.groundSpeed > 2.0
-                                   ? std::clamp(memory.yawIntegral + 2.0 * error * f.dt, -0.6, 0.6)
-                                   : 0.0;
-    if (easy && f.stick.throttle < 0.05) out.brakes = std::max(out.brakes, 0.4);  // landed: it stops by itself
-    memory = AssistMemory{.climbAngle = f.climbAngle, .yawIntegral = yawIntegral, .startSpeed = memory.startSpeed};
+    double const yawIntegral =
+        f.now.groundSpeed > 2.0 ? std::clamp(memory.yawIntegral + 2.0 * error * f.dt, -0.6, 0.6) : 0.0;
+    if (easy && f.stick.throttle < 0.05)
+        out.brakes = std::max(out.brakes, 0.4);  // landed: it stops by itself
+    memory =
+        AssistMemory{.climbAngle = f.climbAngle, .yawIntegral = yawIntegral, .startSpeed = memory.startSpeed};
     memory.pitchIntegral = out.elevator - f.state.trim.elevator;
     return out;
 }
@@ -151,8 +157,8 @@ double pedalBank(Flight const& f) {
     return core::atan(f.speed * f.stick.rudder * radiansOf(f.settings.yawSpeed_dps) / core::kGravity);
 }
 
-/// With the stick free the wings come level, or lean a little into the turn that the pedal asks for: skidding round
-/// alone is slow.
+/// With the stick free the wings come level, or lean a little into the turn that the pedal asks for: skidding
+/// round alone is slow.
 double freeRollRate(Flight const& f, AssistMemory& memory) {
     double const fastest = radiansOf(f.settings.rollSpeed_dps);
     if (std::abs(f.stick.rudder) >= kStickFree && f.now.height > kFlareHeight) {
@@ -170,8 +176,10 @@ double freeRollRate(Flight const& f, AssistMemory& memory) {
 SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
     double rollRate = f.settings.rollFactor * radiansOf(f.settings.rollSpeed_dps) * f.stick.aileron;
-    if (std::abs(f.stick.aileron) < kStickFree) rollRate = freeRollRate(f, memory);
-    else memory.heldBank = f.now.roll;
+    if (std::abs(f.stick.aileron) < kStickFree)
+        rollRate = freeRollRate(f, memory);
+    else
+        memory.heldBank = f.now.roll;
     out.aileron = aileronForRate(f, guardedRollRate(rollRate, f.now.roll, kNormalBankLimit), memory);
 
     double pull = 0.0;
@@ -198,10 +206,12 @@ double throttleForSpeed(Flight const& f, double climbAngle, AssistMemory& memory
     double const middle = std::clamp(f.state.trim.throttle / f.settings.maxThrottle, 0.05, 0.95);
     double const atMiddle = std::clamp(memory.startSpeed, slowest, fastest);
     double const lever = f.stick.throttle;
-    double const wanted = lever < middle ? slowest + lever / middle * (atMiddle - slowest)
-                                         : atMiddle + (lever - middle) / (1.0 - middle) * (fastest - atMiddle);
+    double const wanted = lever < middle
+                              ? slowest + lever / middle * (atMiddle - slowest)
+                              : atMiddle + (lever - middle) / (1.0 - middle) * (fastest - atMiddle);
     double const error = wanted - f.now.cas;
-    double const climbing = f.now.mass * core::kGravity * f.speed * climbAngle / (0.7 * f.airframe.engine.power);
+    double const climbing =
+        f.now.mass * core::kGravity * f.speed * climbAngle / (0.7 * f.airframe.engine.power);
     double const command = f.state.trim.throttle + climbing + 0.08 * error + memory.throttleIntegral;
     if ((command < 1.0 || error < 0.0) && (command > 0.0 || error > 0.0))
         memory.throttleIntegral = std::clamp(memory.throttleIntegral + 0.02 * error * f.dt, -1.0, 1.0);
@@ -213,25 +223,29 @@ double easyRollRate(Flight const& f, AssistMemory& memory) {
     double const fastest = radiansOf(f.settings.rollSpeed_dps);
     bool const steered = std::abs(f.stick.aileron) >= kStickFree || std::abs(f.stick.rudder) >= kStickFree;
     if (!steered) return freeRollRate(f, memory);
-    double const bank =
-        std::clamp(f.settings.rollFactor * f.stick.aileron * kEasyBank + pedalBank(f), -kNormalBankLimit, kNormalBankLimit);
+    double const bank = std::clamp(f.settings.rollFactor * f.stick.aileron * kEasyBank + pedalBank(f),
+                                   -kNormalBankLimit, kNormalBankLimit);
     memory.heldBank = f.now.roll;
     return std::clamp(3.0 * (bank - f.now.roll), -fastest, fastest);
 }
 
-/// The path that easy flies: the stick's climb, else the altitude where it was let go; a soft arrival near the ground.
+/// The path that easy flies: the stick's climb, else the altitude where it was let go; a soft arrival near
+/// the ground.
 double easyClimbAngle(Flight const& f, bool landing, AssistMemory& memory) {
     if (std::abs(f.stick.elevator) >= kStickFree) {
-        double const wanted = f.stick.elevator * kEasyClimb, step = radiansOf(f.settings.pitchSpeed_dps) * f.dt;
+        double const wanted = f.stick.elevator * kEasyClimb,
+                     step = radiansOf(f.settings.pitchSpeed_dps) * f.dt;
         memory.climbAngle += std::clamp(wanted - memory.climbAngle, -step, step);
         memory.holdsAltitude = 0.0;
     } else {
-        if (memory.holdsAltitude == 0.0) memory.heldAltitude = f.state.positionWorld.y + 1.5 * f.state.velocityWorld.y;
+        if (memory.holdsAltitude == 0.0)
+            memory.heldAltitude = f.state.positionWorld.y + 1.5 * f.state.velocityWorld.y;
         memory.holdsAltitude = 1.0;
         memory.climbAngle = angleToAltitude(f, memory.heldAltitude, kEasyClimb);
     }
     double path = memory.climbAngle;
-    if (f.now.height < kFlareHeight) {  // the sink that the height allows; with the lever back it lands by itself
+    if (f.now.height <
+        kFlareHeight) {  // the sink that the height allows; with the lever back it lands by itself
         double const sink = -(0.5 + 0.2 * std::max(f.now.height, 0.0)) / f.speed;
         path = landing && memory.holdsAltitude > 0.0 ? sink : std::max(path, sink);
     }
@@ -240,7 +254,8 @@ double easyClimbAngle(Flight const& f, bool landing, AssistMemory& memory) {
 
 SurfaceCommands easyCommands(Flight const& f, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
-    out.aileron = aileronForRate(f, guardedRollRate(easyRollRate(f, memory), f.now.roll, kNormalBankLimit), memory);
+    out.aileron =
+        aileronForRate(f, guardedRollRate(easyRollRate(f, memory), f.now.roll, kNormalBankLimit), memory);
     bool const landing = f.now.height < kFlareHeight && f.stick.throttle < 0.1;
     double const path = easyClimbAngle(f, landing, memory);
     out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path)), memory);
@@ -270,7 +285,9 @@ SurfaceCommands lightCommands(Flight const& f) {
 }  // namespace
 
 Controls cleaned(Controls const& stick) {
-    auto const clean = [](double value, double low) { return value == value ? std::clamp(value, low, 1.0) : 0.0; };
+    auto const clean = [](double value, double low) {
+        return value == value ? std::clamp(value, low, 1.0) : 0.0;
+    };
     return {clean(stick.throttle, 0.0), clean(stick.elevator, -1.0), clean(stick.aileron, -1.0),
             clean(stick.rudder, -1.0),  clean(stick.flaps, 0.0),     clean(stick.brakes, 0.0)};
 }
@@ -281,15 +298,25 @@ SurfaceCommands assistedCommands(Airframe const& airframe, AircraftState const& 
     Controls const clean = cleaned(stick);
     double const speed = std::max(state.readings.tas, 15.0);
     double const ground = std::max(glm::length(state.velocityWorld), 5.0);
-    Flight const f{airframe, state, state.readings, settings, clean, dt, speed,
+    Flight const f{airframe,
+                   state,
+                   state.readings,
+                   settings,
+                   clean,
+                   dt,
+                   speed,
                    std::clamp(kReferenceSpeed / speed, 0.4, 2.5),
                    core::asin(std::clamp(state.velocityWorld.y / ground, -1.0, 1.0))};
     SurfaceCommands out;
     bool const held = level == AssistLevel::normal || level == AssistLevel::easy;
-    if (held && state.readings.onGround) out = groundCommands(f, level == AssistLevel::easy, memory);
-    else if (level == AssistLevel::normal) out = normalCommands(f, memory);
-    else if (level == AssistLevel::easy) out = easyCommands(f, memory);
-    else out = level == AssistLevel::light ? lightCommands(f) : directCommands(f);
+    if (held && state.readings.onGround)
+        out = groundCommands(f, level == AssistLevel::easy, memory);
+    else if (level == AssistLevel::normal)
+        out = normalCommands(f, memory);
+    else if (level == AssistLevel::easy)
+        out = easyCommands(f, memory);
+    else
+        out = level == AssistLevel::light ? lightCommands(f) : directCommands(f);
     out.throttle *= settings.maxThrottle;
     return out;
 }

@@ -11,7 +11,8 @@ struct Coefficients {
     double thrust, power;
 };
 
-/// Ct n^2 and Cp n^2 at n turns a second: with n^2 multiplied in, a stopped propeller needs no division by zero.
+/// Ct n^2 and Cp n^2 at n turns a second: with n^2 multiplied in, a stopped propeller needs no division by
+/// zero.
 Coefficients scaledCoefficients(PropellerData const& p, double axial, double turns) {
     double const last = p.advance.back();
     double const travelled = std::max(axial, 0.0) / p.diameter;  // J n
@@ -55,17 +56,20 @@ PropellerAnswer propellerAnswer(PropellerData const& p, glm::dvec3 const& veloci
     double const far = std::sqrt(std::max(inflow * inflow + 2.0 * answer.thrust / (density * disc), 0.0));
     answer.washSpeed = far - inflow;
     double const throughDisc = 0.5 * (far + inflow);
-    answer.swirlSpeed = answer.shaftTorque / (density * disc * std::max(throughDisc, 5.0) * (2.0 / 3.0) * radius);
+    answer.swirlSpeed =
+        answer.shaftTorque / (density * disc * std::max(throughDisc, 5.0) * (2.0 / 3.0) * radius);
 
-    // P-factor: air that comes from below is met harder by the blade that goes down, on the right: the thrust's centre
-    // moves that way. And the disc turns the air that comes across, which pushes the hub along with it.
+    // P-factor: air that comes from below is met harder by the blade that goes down, on the right: the
+    // thrust's centre moves that way. And the disc turns the air that comes across, which pushes the hub
+    // along with it.
     double const blade = 0.25 * rate * radius;
     glm::dvec3 const inflowAcross =
         glm::dvec3{0.0, -velocityBody.y, -velocityBody.z} / std::sqrt(axial * axial + blade * blade + 1.0);
     double const limit = std::max(1.0, glm::length(inflowAcross));
     glm::dvec3 const bent = inflowAcross / limit;
     glm::dvec3 const centre = arm + p.offset * radius * glm::cross(glm::dvec3{1.0, 0.0, 0.0}, bent);
-    glm::dvec3 const force = glm::dvec3{answer.thrust, 0.0, 0.0} + p.sideForce * std::abs(answer.thrust) * bent;
+    glm::dvec3 const force =
+        glm::dvec3{answer.thrust, 0.0, 0.0} + p.sideForce * std::abs(answer.thrust) * bent;
     answer.loads.add(force, centre);
     answer.loads.torque.x -= answer.shaftTorque;
     return answer;
@@ -76,7 +80,8 @@ double engineTorque(EngineData const& engine, double share, double rate, double 
     if (!fuel) return -friction;
     double const rated = engine.power / engine.rate + engine.frictionTorque;
     double const overspeed = std::max(rate / engine.rate - 1.0, 0.0);  // the charge cannot follow
-    return rated * throttleShare(engine, share) * altitudeShare(engine, density) / (1.0 + overspeed) - friction;
+    return rated * throttleShare(engine, share) * altitudeShare(engine, density) / (1.0 + overspeed) -
+           friction;
 }
 
 double fuelFlow(EngineData const& engine, double share, double rate, double density) {

@@ -2,8 +2,8 @@
 
 namespace luftpost::flight {
 namespace {
-/// The turn of a step `dt` at the steady rate `rates`, by the Cayley map: the exponential map's rational twin, which
-/// makes the step below keep the energy exactly where the exponential map only keeps it near.
+/// The turn of a step `dt` at the steady rate `rates`, by the Cayley map: the exponential map's rational
+/// twin, which makes the step below keep the energy exactly where the exponential map only keeps it near.
 glm::dquat turned(glm::dvec3 const& rates, double dt) {
     glm::dvec3 const half = rates * (0.5 * dt);
     return glm::normalize(glm::dquat{1.0, half.x, half.y, half.z});
@@ -24,7 +24,8 @@ Motion moved(Motion const& motion, Loads const& loads, glm::dvec3 const& gravity
     Motion next;
     next.worldFromBody = glm::normalize(motion.worldFromBody * turn);
     next.ratesBody = inverse * after;
-    next.velocityWorld = motion.velocityWorld + (gravityWorld + (motion.worldFromBody * loads.force) / mass) * dt;
+    next.velocityWorld =
+        motion.velocityWorld + (gravityWorld + (motion.worldFromBody * loads.force) / mass) * dt;
     next.positionWorld = motion.positionWorld + next.velocityWorld * dt;
     return next;
 }

@@ -28,9 +28,9 @@ struct Motion {
     glm::dvec3 ratesBody{0.0};  // rad/s
 };
 
-/// One step of `dt` seconds. Semi-implicit for the position. Euler's equations by the midpoint rule, the attitude turned
-/// by the mean rate of the step (a Lie group midpoint): without torque the body's momentum only turns, so neither its
-/// size nor the energy drifts, however long. inertia in kg m2, body frame.
+/// One step of `dt` seconds. Semi-implicit for the position. Euler's equations by the midpoint rule, the
+/// attitude turned by the mean rate of the step (a Lie group midpoint): without torque the body's momentum
+/// only turns, so neither its size nor the energy drifts, however long. inertia in kg m2, body frame.
 Motion moved(Motion const& motion, Loads const& loads, glm::dvec3 const& gravityWorld, double mass,
              glm::dmat3 const& inertia, double dt);
 }  // namespace luftpost::flight

@@ -7,8 +7,8 @@
 
 namespace luftpost::flight {
 namespace {
-constexpr double kPlateForce = 1.6;       // c: normal force of a thick plate of aspect ratio 7 across the flow
-constexpr double kHysteresis = 0.05;      // rad, by which flow that has left comes back later
+constexpr double kPlateForce = 1.6;   // c: normal force of a thick plate of aspect ratio 7 across the flow
+constexpr double kHysteresis = 0.05;  // rad, by which flow that has left comes back later
 constexpr double kChordsToSeparate = 4.0;  // n: chord lengths of travel to gain or lose the flow
 
 double smoothStep(double x) {
@@ -18,8 +18,8 @@ double smoothStep(double x) {
 
 /// s_static of the header.
 double staticSeparation(StripData const& strip, StripFlow const& flow, double alpha) {
-    double const lost = strip.surfaceStall * std::max(flow.deflection, 0.0) + kHysteresis * flow.separation +
-                        0.08 * flow.ice;
+    double const lost =
+        strip.surfaceStall * std::max(flow.deflection, 0.0) + kHysteresis * flow.separation + 0.08 * flow.ice;
     double const above = alpha - (strip.stallAngle - lost);
     double const below = (strip.stallAngleNegative + lost) - alpha;
     return smoothStep(std::max(above, below) / strip.stallWidth + 0.5);

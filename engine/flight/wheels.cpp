@@ -7,9 +7,10 @@
 
 namespace luftpost::flight {
 namespace {
-constexpr double kNear = 12.0;         // m; the hull reaches no farther, and ground rises no more beside it
-constexpr double kSlipOfFullGrip = 0.1;  // m/s; friction comes in over this much slip, so that a tyre can stand still
-constexpr double kBottomed = 0.35;     // m of compression where the leg is at its end
+constexpr double kNear = 12.0;  // m; the hull reaches no farther, and ground rises no more beside it
+constexpr double kSlipOfFullGrip =
+    0.1;  // m/s; friction comes in over this much slip, so that a tyre can stand still
+constexpr double kBottomed = 0.35;  // m of compression where the leg is at its end
 
 core::GroundSample groundAt(core::GroundFunction const& ground, glm::dvec3 const& pointWorld) {
     return ground(pointWorld.x, -pointWorld.z);
@@ -18,11 +19,13 @@ bool isNear(glm::dvec3 const& pointWorld, core::GroundSample const& below) {
     return pointWorld.y - below.height < kNear;
 }
 
-/// Friction along the ground: rolling and brakes along the wheel, side force across it, together inside one circle.
+/// Friction along the ground: rolling and brakes along the wheel, side force across it, together inside one
+/// circle.
 glm::dvec3 friction(WheelData const& wheel, double load, double brakes, glm::dvec3 const& velocity,
                     glm::dvec3 const& along, glm::dvec3 const& across) {
     auto const grip = [](double slip) { return std::clamp(slip / kSlipOfFullGrip, -1.0, 1.0); };
-    double const rolling = wheel.skid ? wheel.rolling : wheel.rolling + wheel.braking * std::clamp(brakes, 0.0, 1.0);
+    double const rolling =
+        wheel.skid ? wheel.rolling : wheel.rolling + wheel.braking * std::clamp(brakes, 0.0, 1.0);
     double forward = -rolling * grip(glm::dot(velocity, along));
     double side = -wheel.side * grip(glm::dot(velocity, across));
     double const most = std::max(wheel.side, rolling), both = std::sqrt(forward * forward + side * side);

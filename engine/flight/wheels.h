@@ -9,8 +9,9 @@ namespace luftpost::flight {
 struct GroundLoads {
     Loads loads;  // body frame, about the centre of gravity
     std::array<WheelState, kMaxWheels> wheels{};
-    double touchdownSpeed = 0.0;  // m/s across the ground of the hardest wheel that has just met it; 0 for none
-    bool inWater = false;         // a wheel has met water
+    double touchdownSpeed =
+        0.0;               // m/s across the ground of the hardest wheel that has just met it; 0 for none
+    bool inWater = false;  // a wheel has met water
 };
 /// `below` is the ground under the centre of gravity; a wheel well above it is not looked up.
 GroundLoads groundLoads(Airframe const& airframe, AircraftState const& state, MassProperties const& masses,

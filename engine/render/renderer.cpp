@@ -15,10 +15,12 @@
 #include "engine/render/composite_pass.h"
 #include "engine/render/exposure_pass.h"
 #include "engine/render/frame_context.h"
+#include "engine/render/land_scene.h"
 #include "engine/render/model_pass.h"
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
 #include "engine/render/sky_pass.h"
+#include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
 #include "engine/render/view.h"
 
@@ -66,6 +68,8 @@ struct Renderer::Parts {
     explicit Parts(RendererOptions const& wanted)
         : options{wanted},
           sky{programs},
+          land{wanted.workers},
+          terrain{programs},
           composite{programs},
           exposure{programs},
           models{programs},
@@ -79,6 +83,7 @@ struct Renderer::Parts {
     void upload() { frameBuffer.update(gl::bytesOf(frame)); }
     void clear(Targets const& to) const;
     void drawOpaque(FrameContext const& context);
+    void drawLand(FrameContext const& context);
     void drawAround(FrameContext const& context);
     void drawView(FrameContext const& context, int view);
     void drawUi(Snapshot const& snapshot);
@@ -91,6 +96,8 @@ struct Renderer::Parts {
     std::vector<PassTime> times;
 
     SkyPass sky;
+    LandScene land;
+    TerrainPass terrain;
     CompositePass composite;
     ExposurePass exposure;
     ModelPass models;
@@ -152,8 +159,14 @@ void Renderer::draw(Snapshot const& snapshot) {
 /// What all projections draw before the sky is put behind it.
 void Renderer::Parts::drawOpaque(FrameContext const& context) {
     if (context.snapshot.camera.projection != Projection::perspective) return drawAround(context);
+    if (context.snapshot.drawTerrain) drawLand(context);
     timer.pass("models", [&] { models.drawOpaque(context); });
     if (context.snapshot.debug.normals) timer.pass("normals", [&] { models.drawNormals(context); });
+}
+
+void Renderer::Parts::drawLand(FrameContext const& context) {
+    timer.pass("chunks", [&] { land.update(context); });
+    timer.pass("terrain", [&] { terrain.draw(context, land); });
 }
 
 void Renderer::Parts::begin(Snapshot const& snapshot) {
@@ -246,5 +259,6 @@ void Renderer::setTiming(bool on) {
     parts_->timing = on;
     if (!on) parts_->times.clear();
 }
+terrain::StreamerStats Renderer::chunkStats() const { return parts_->land.stats(); }
 std::vector<PassTime> const& Renderer::passTimes() const { return parts_->times; }
 }  // namespace luftpost::render

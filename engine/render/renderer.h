@@ -9,6 +9,7 @@
 
 #include "engine/assets/image.h"
 #include "engine/render/snapshot.h"
+#include "engine/terrain/streamer.h"
 
 namespace luftpost::assets {
 struct Model;
@@ -20,6 +21,7 @@ class ProgramLibrary;
 namespace luftpost::render {
 struct RendererOptions {
     glm::ivec2 size{1280, 720};    // of the finished picture, pixels
+    int workers = 1;               // threads that make chunks of land
     bool hotReload = false;        // look for changed shaders once a second
 };
 
@@ -63,6 +65,9 @@ public:
     void setTiming(bool on);
     /// Of the latest draw; empty when timing is off.
     std::vector<PassTime> const& passTimes() const;
+
+    /// The chunks of land made, kept and forgotten so far.
+    terrain::StreamerStats chunkStats() const;
 
 private:
     struct Parts;

@@ -11,6 +11,9 @@ namespace luftpost::terrain {
 namespace {
 constexpr double kHighestRange = 3600.0;  // m above the water: no land stands higher
 
+// Chunks this near, in their sides, are kept at every level.
+constexpr double kUnderfoot = 0.25;
+
 /// m on the flat map from the camera to the nearest point of the chunk's square.
 double nearestAcross(ChunkKey key, glm::dvec2 camera) {
     glm::dvec2 const corner = key.corner();
@@ -67,10 +70,11 @@ public:
 
 private:
     void visit(ChunkKey key, bool parentInView) {
-        double const distance = levelDistance(nearestAcross(key, camera_), aboveGround_);
+        double const across = nearestAcross(key, camera_), distance = levelDistance(across, aboveGround_);
         if (key.level < kTopLevel && distance >= levelRange(key.level)) return;
         bool const inView = parentInView && frustum_.mayShow(key, bounds_(key));
-        found_.push_back({key, inView, distance});
+        bool const near = across < kUnderfoot * key.size();
+        found_.push_back({key, inView, near, near || key.level >= kResidentLevel, distance});
         if (key.level == 0) return;
         for (int quarter = 0; quarter < 4; ++quarter)
             visit({key.level - 1, 2 * key.x + (quarter & 1), 2 * key.y + (quarter >> 1)}, inView);
@@ -94,9 +98,8 @@ double farthestLand(double cameraAboveWater) {
 std::vector<Wanted> wantedChunks(CameraView const& view, double aboveGround, double waterLevel, BoundsFunction const& bounds) {
     std::vector<Wanted> wanted = WantedSearch{view, aboveGround, bounds}.from(farthestLand(view.positionWorld.y - waterLevel));
     auto const before = [](Wanted const& a, Wanted const& b) {
-        bool const aResident = a.key.level >= kResidentLevel, bResident = b.key.level >= kResidentLevel;
-        if (aResident != bResident) return aResident;
-        if (!aResident && a.inView != b.inView) return a.inView;
+        if (a.kept != b.kept) return a.kept;
+        if (!a.kept && a.inView != b.inView) return a.inView;
         if (a.key.level != b.key.level) return a.key.level > b.key.level;
         return a.distance < b.distance;
     };

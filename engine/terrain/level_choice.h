@@ -39,6 +39,8 @@ struct DrawnChunk {
 struct Wanted {
     ChunkKey key;
     bool inView = false;
+    bool near = false;            // under a low camera, which must not find itself below a coarser mesh
+    bool kept = false;            // needed whatever the view: resident or near
     double distance = 0.0;        // m, levelDistance of its nearest point
 };
 
@@ -48,7 +50,7 @@ struct HeightBounds {
 };
 using BoundsFunction = std::function<HeightBounds(ChunkKey)>;
 
-/// All chunks the camera wants, most urgent first: the resident ones, then those in view from coarse to fine and
+/// All chunks the camera wants, most urgent first: those kept all round, then those in view from coarse to fine and
 /// near to far, then those out of view likewise.
 std::vector<Wanted> wantedChunks(CameraView const& view, double aboveGround, double waterLevel, BoundsFunction const& bounds);
 

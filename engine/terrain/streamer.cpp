@@ -8,6 +8,7 @@
 
 namespace luftpost::terrain {
 namespace {
+constexpr int kWholeLevel = 3;  // of near chunks down to 3.84 km none may miss: a flight has asked for them long before
 constexpr std::size_t kInFlightBytes = 12'000'000;  // enough that workers do not starve between slow frames
 
 std::size_t mostInFlight(StreamerOptions const& options, std::size_t bytesEach) {
@@ -62,12 +63,17 @@ void Streamer::takeIn(DrawList& list, std::size_t budget) {
     }
 }
 
+bool Streamer::asks(Ask ask, Wanted const& chunk) {
+    return ask == Ask::all || chunk.inView || (ask == Ask::shownAndKept && chunk.kept);
+}
+
 // Keeps the most urgent missing chunks in the workers' queue, and nothing else.
-void Streamer::request(std::vector<Wanted> const& all) {
+void Streamer::request(std::vector<Wanted> const& all, Ask ask) {
     std::unordered_set<ChunkKey, ChunkHash> missing;
     std::vector<ChunkKey> order;
     for (Wanted const& chunk : all) {
         if (order.size() >= mostInFlight_) break;
+        if (!asks(ask, chunk)) continue;
         if (!cache_.contains(chunk.key) && missing.insert(chunk.key).second) order.push_back(chunk.key);
     }
     std::erase_if(inFlight_, [&](auto const& entry) { return !missing.contains(entry.first) && jobs_.cancel(entry.second); });
@@ -83,14 +89,15 @@ void Streamer::request(std::vector<Wanted> const& all) {
     peakBytes_ = std::max(peakBytes_, cache_.bytes() + inFlight_.size() * bytesEach_);
 }
 
-DrawList Streamer::updateWithin(CameraView const& view, std::size_t budget, bool& complete) {
+DrawList Streamer::updateWithin(CameraView const& view, std::size_t budget, Ask ask, bool& complete) {
     DrawList list;
     takeIn(list, budget);
     double const ground = std::max(land_.height(view.positionWorld.x, -view.positionWorld.z), land_.waterLevel());
     list.aboveGround = std::max(0.0, view.positionWorld.y - ground);
     std::vector<Wanted> const all = wanted(view, list.aboveGround);
-    request(all);
-    complete = std::all_of(all.begin(), all.end(), [&](Wanted const& chunk) { return !chunk.inView || cache_.contains(chunk.key); });
+    request(all, ask);
+    complete = std::all_of(all.begin(), all.end(), [&](Wanted const& chunk) { return !asks(ask == Ask::all ? Ask::shown : ask, chunk) || cache_.contains(chunk.key); });
+    list.whole = std::all_of(all.begin(), all.end(), [&](Wanted const& chunk) { return !chunk.near || chunk.key.level < kWholeLevel || cache_.contains(chunk.key); });
     list.chunks = drawnChunks(all, [&](ChunkKey key) { return cache_.contains(key); });
     return list;
 }
@@ -98,13 +105,13 @@ DrawList Streamer::updateWithin(CameraView const& view, std::size_t budget, bool
 DrawList Streamer::update(CameraView const& view) {
     if (options_.workers == 0) jobs_.help();
     bool complete = false;
-    return updateWithin(view, options_.bytesPerUpdate, complete);
+    return updateWithin(view, options_.bytesPerUpdate, Ask::all, complete);
 }
 
-DrawList Streamer::finish(CameraView const& view) {
+DrawList Streamer::finish(CameraView const& view, bool residents) {
     DrawList result;
     for (bool complete = false; !complete;) {
-        DrawList next = updateWithin(view, std::numeric_limits<std::size_t>::max() / 2, complete);
+        DrawList next = updateWithin(view, std::numeric_limits<std::size_t>::max() / 2, residents ? Ask::shownAndKept : Ask::shown, complete);
         for (ChunkKey const& key : next.dropped)
             std::erase_if(result.fresh, [&](auto const& chunk) { return chunk->key == key; });
         next.dropped.insert(next.dropped.begin(), result.dropped.begin(), result.dropped.end());

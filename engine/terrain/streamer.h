@@ -25,6 +25,7 @@ struct DrawList {
     std::vector<DrawnChunk> chunks;                    // near ones first
     std::vector<std::shared_ptr<Chunk const>> fresh;   // newly made: their samples are held by nobody else
     std::vector<ChunkKey> dropped;
+    bool whole = true;                                 // else the view has jumped: call finishKept before drawing
     double aboveGround = 0.0;                          // m, of levelDistance for this frame
 };
 
@@ -43,8 +44,10 @@ public:
 
     /// Takes in what workers made, asks them for what `view` lacks, forgets what it no longer wants. Never waits.
     DrawList update(CameraView const& view);
-    /// The same, but waits (and works) until everything `view` shows is there: stills, screenshots, the first frame.
-    DrawList finish(CameraView const& view);
+    /// The same, but waits (and works) until everything `view` shows is there: stills, screenshots.
+    DrawList finish(CameraView const& view) { return finish(view, false); }
+    /// Waits for what `view` shows and for what is kept all round: the first frame, a jump.
+    DrawList finishKept(CameraView const& view) { return finish(view, true); }
 
     StreamerStats stats() const;
     StreamerOptions const& options() const { return options_; }
@@ -56,10 +59,13 @@ private:
     };
     static StreamerOptions options(int workers, std::size_t capBytes);
     void takeIn(DrawList& list, std::size_t budget);
-    void request(std::vector<Wanted> const& wanted);
+    enum class Ask { all, shown, shownAndKept };
+    static bool asks(Ask ask, Wanted const& chunk);
+    void request(std::vector<Wanted> const& wanted, Ask ask);
+    DrawList finish(CameraView const& view, bool residents);
     HeightBounds bounds(ChunkKey key) const;
     std::vector<Wanted> wanted(CameraView const& view, double aboveGround);
-    DrawList updateWithin(CameraView const& view, std::size_t budget, bool& complete);
+    DrawList updateWithin(CameraView const& view, std::size_t budget, Ask ask, bool& complete);
 
     Land const& land_;
     StreamerOptions options_;

@@ -1,6 +1,7 @@
 #include "game/app/commands.h"
 
 namespace luftpost::app {
-void addCommands([[maybe_unused]] CLI::App& app, [[maybe_unused]] CommonOptions const& common,
-                 [[maybe_unused]] Chosen& chosen) {}
+void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
+    addSkyCommand(app, common, chosen);
+}
 }  // namespace luftpost::app

@@ -42,6 +42,8 @@ using Chosen = std::function<int()>;
 void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
+void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+
 /// Adds every command (commands.cpp: one line each).
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 }  // namespace luftpost::app

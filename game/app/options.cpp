@@ -72,8 +72,8 @@ PlaceOption placeOption(std::string_view option, std::string_view text) {
     if (std::abs(numbers[1]) > 180.0) refuse(option, "a longitude -180..180", text);
     PlaceOption place{numbers[0], numbers[1], {}};
     if (numbers.size() == 3) place.altitude_m = numbers[2];
-    if (place.altitude_m && !(*place.altitude_m >= -500.0 && *place.altitude_m <= 9000.0))
-        refuse(option, "an altitude -500..9000 m", text);
+    if (place.altitude_m && !(*place.altitude_m >= -500.0 && *place.altitude_m <= 20000.0))
+        refuse(option, "an altitude -500..20000 m", text);
     return place;
 }
 }  // namespace luftpost::app

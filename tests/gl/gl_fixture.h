@@ -18,7 +18,8 @@ inline platform::Surface& headless() {
 
 class GlTest : public ::testing::Test {
 protected:
-    void SetUp() override {
+    /// The context is current before the members of a derived fixture are made.
+    GlTest() {
         headless().makeCurrent();
         errorsBefore_ = gl::errorCount();
     }

@@ -19,7 +19,6 @@ using namespace luftpost;
 class ProgramLibrary : public test::GlTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
         fs::create_directories(root_ / "shaders/pass");
         fs::create_directories(root_ / "shaders/lib");
         fs::copy_file(fs::path{LUFTPOST_SOURCE_DIR} / "shaders/pass/fullscreen.vert",

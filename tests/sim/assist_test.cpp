@@ -14,13 +14,14 @@ double degreesOf(double angle) { return core::degrees(angle); }
 void roughen(TestFlight& flight) {
     flight.air = [](glm::dvec3 const& p, core::UtcSeconds t) {
         core::AirSample sample = isaAir(p.y);
-        sample.windWorld = {12.0 + 2.0 * std::sin(0.05 * p.z + 0.3 * t), 2.0 * std::sin(0.04 * p.z + 0.02 * p.x),
-                            2.0 * std::sin(0.06 * p.x + 0.03 * p.z)};
+        sample.windWorld = {12.0 + 2.0 * std::sin(0.05 * p.z + 0.3 * t),
+                            2.0 * std::sin(0.04 * p.z + 0.02 * p.x), 2.0 * std::sin(0.06 * p.x + 0.03 * p.z)};
         return sample;
     };
 }
 /// The largest roll rate in a second of full stick to the right, deg/s.
-double rollRate_dps(AssistSettings const& settings, double stick = 1.0, AssistLevel level = AssistLevel::normal) {
+double rollRate_dps(AssistSettings const& settings, double stick = 1.0,
+                    AssistLevel level = AssistLevel::normal) {
     TestFlight flight{level, settings};
     flight.inAir(600.0, 52.0);
     double most = 0.0;
@@ -64,7 +65,8 @@ TEST(Assist, NormalCannotBeStalledOrRolledOver) {
             bank = std::max(bank, std::abs(flight.now().roll));
             return true;
         });
-        fmt::print("full back, idle, then full aileron: stalled {:.2f}, bank {:.1f} deg\n", stalled, degreesOf(bank));
+        fmt::print("full back, idle, then full aileron: stalled {:.2f}, bank {:.1f} deg\n", stalled,
+                   degreesOf(bank));
         EXPECT_LT(stalled, 0.35);
         EXPECT_LT(degreesOf(bank), 75.0);
         EXPECT_GT(flight.now().cas, 25.0);
@@ -133,9 +135,11 @@ TEST(Assist, LightKeepsTheBallInTheMiddleWhereSimDoesNot) {
         flight.inAir(600.0, 45.0);
         flight.stick.aileron = 0.7;
         slip[i] = 0.0;
-        flight.fly(1.2, [&](double) { return slip[i] = std::max(slip[i], std::abs(flight.now().beta)), true; });
+        flight.fly(1.2,
+                   [&](double) { return slip[i] = std::max(slip[i], std::abs(flight.now().beta)), true; });
     }
-    fmt::print("adverse yaw of 0.7 aileron: sim {:.1f} deg of slip, light {:.1f}\n", degreesOf(slip[0]), degreesOf(slip[1]));
+    fmt::print("adverse yaw of 0.7 aileron: sim {:.1f} deg of slip, light {:.1f}\n", degreesOf(slip[0]),
+               degreesOf(slip[1]));
     EXPECT_LT(slip[1], 0.6 * slip[0]);
 }
 
@@ -145,8 +149,11 @@ TEST(Assist, EveryLevelTakesOff) {
         flight.onRunway();
         flight.stick = Controls{.throttle = 1.0, .flaps = 1.0 / 3.0};
         flight.fly(40.0, [&](double) {
-            double const heading = flight.now().heading > core::kPi ? flight.now().heading - 2.0 * core::kPi : flight.now().heading;
-            flight.stick.rudder = std::clamp(-5.0 * heading - 2.0 * flight.now().yawRate - 0.08 * flight.state().positionWorld.x, -1.0, 1.0);
+            double const heading = flight.now().heading > core::kPi ? flight.now().heading - 2.0 * core::kPi
+                                                                    : flight.now().heading;
+            flight.stick.rudder = std::clamp(
+                -5.0 * heading - 2.0 * flight.now().yawRate - 0.08 * flight.state().positionWorld.x, -1.0,
+                1.0);
             flight.stick.aileron = std::clamp(-1.5 * flight.now().roll, -0.3, 0.3);
             flight.stick.elevator = flight.now().cas < 27.0 ? 0.0 : flight.now().pitch < 0.12 ? 0.4 : 0.05;
             return flight.now().height < 30.0 && !flight.state().crashed();
@@ -191,7 +198,8 @@ TEST(Assist, YawSpeedScalesThePedal) {
         flight.fly(1.0);
         swung[i] = degreesOf(flight.now().heading);
     }
-    fmt::print("full pedal for 1 s swings the nose by {:.1f}, {:.1f}, {:.1f} deg\n", swung[0], swung[1], swung[2]);
+    fmt::print("full pedal for 1 s swings the nose by {:.1f}, {:.1f}, {:.1f} deg\n", swung[0], swung[1],
+               swung[2]);
     EXPECT_GT(swung[0], 1.5);
     EXPECT_GT(swung[1], 1.5 * swung[0]);
     EXPECT_GT(swung[2], 1.3 * swung[1]);
@@ -216,7 +224,8 @@ TEST(Assist, InducedYawFactorIsTheShareOfTheCoordinatedTurn) {
     double const factors[3] = {0.0, 1.0, 2.0};
     double expected = 0.0;
     for (int i = 0; i < 3; ++i) {
-        TestFlight flight{AssistLevel::normal, AssistSettings{.stabilizingRoll = 0.0, .inducedYawFactor = factors[i]}};
+        TestFlight flight{AssistLevel::normal,
+                          AssistSettings{.stabilizingRoll = 0.0, .inducedYawFactor = factors[i]}};
         flight.inAir(600.0, 52.0);
         flight.stick.aileron = 1.0;
         flight.fly(0.45);
@@ -230,7 +239,8 @@ TEST(Assist, InducedYawFactorIsTheShareOfTheCoordinatedTurn) {
             EXPECT_NEAR(turned[i] / expected, 1.0, 0.15);
         }
     }
-    fmt::print("turn in 3 s: factor 0 {:.1f}, 1 {:.1f}, 2 {:.1f} deg\n", degreesOf(turned[0]), degreesOf(turned[1]), degreesOf(turned[2]));
+    fmt::print("turn in 3 s: factor 0 {:.1f}, 1 {:.1f}, 2 {:.1f} deg\n", degreesOf(turned[0]),
+               degreesOf(turned[1]), degreesOf(turned[2]));
     EXPECT_LT(turned[0], 0.6 * turned[1]);
     EXPECT_GT(turned[2], 1.2 * turned[1]);
 }

@@ -7,7 +7,8 @@
 namespace luftpost::flight {
 namespace {
 /// One row: ours is within the band.
-void expectIn(std::string const& item, double ours, double low, double high, std::string const& figure, int digits = 1) {
+void expectIn(std::string const& item, double ours, double low, double high, std::string const& figure,
+              int digits = 1) {
     fmt::print("| {} | {:.{}f} | {} | {:g} .. {:g} |\n", item, ours, digits, figure, low, high);
     EXPECT_GE(ours, low) << item;
     EXPECT_LE(ours, high) << item;
@@ -52,7 +53,8 @@ TEST(Bands, ItLandsInTheCrosswindThatWasShown) {
         Distances const on = landing(wind);
         EXPECT_FALSE(on.crashed) << wind;
         expectIn(fmt::format("landing, {} kt across, off the line, m", wind), on.off_m, 0, 12, "lands");
-        expectIn(fmt::format("landing, {} kt across, touchdown, m/s", wind), on.touchdown_mps, 0.05, 2.0, "lands", 2);
+        expectIn(fmt::format("landing, {} kt across, touchdown, m/s", wind), on.touchdown_mps, 0.05, 2.0,
+                 "lands", 2);
     }
 }
 
@@ -83,8 +85,10 @@ TEST(Bands, ItRollsAsFastAsTheModel) {
 TEST(Bands, TheSpiralIsSlow) {
     for (double kt : {60.0, 100.0}) {
         double const doubling = spiralDoubling_s(kt);
-        fmt::print("| spiral at {:.0f} kt, s to double (negative: halve) | {:.0f} | {} | slower than 12 either way |\n",
-                   kt, doubling, kt == 60.0 ? "17" : "-37");
+        fmt::print(
+            "| spiral at {:.0f} kt, s to double (negative: halve) | {:.0f} | {} | slower than 12 either way "
+            "|\n",
+            kt, doubling, kt == 60.0 ? "17" : "-37");
         EXPECT_GT(std::abs(doubling), 12.0) << kt;
     }
 }

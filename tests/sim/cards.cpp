@@ -45,8 +45,9 @@ void TestPilot::holdWings(double bank) {
 void TestPilot::steerNorth() {
     Readings const& now = flight_.now();
     holdWings();
-    flight_.stick.rudder = std::clamp(-6.0 * sinceNorth(now.heading) - 3.0 * now.yawRate -
-                                          0.08 * flight_.state().positionWorld.x, -1.0, 1.0);
+    flight_.stick.rudder = std::clamp(
+        -6.0 * sinceNorth(now.heading) - 3.0 * now.yawRate - 0.08 * flight_.state().positionWorld.x, -1.0,
+        1.0);
 }
 
 double stallSpeed_kt(double flaps) {
@@ -291,7 +292,8 @@ Pulse elevatorPulse() {
 }
 
 double gustLoad_g(double w20_fps) {
-    // Vertical gusts of the Dryden spectrum (MIL-F-8785C) frozen along the way: a sum of waves with random phases.
+    // Vertical gusts of the Dryden spectrum (MIL-F-8785C) frozen along the way: a sum of waves with random
+    // phases.
     constexpr int kWaves = 400;
     double const scale = 500.0 * kFoot, sigma = 0.1 * w20_fps * kFoot;
     std::mt19937 random{7};
@@ -299,7 +301,8 @@ double gustLoad_g(double w20_fps) {
     double const low = 0.02 / scale, high = 200.0 / scale, ratio = std::pow(high / low, 1.0 / kWaves);
     for (int i = 0; i < kWaves; ++i) {
         double const k = low * std::pow(ratio, i + 0.5), lk = scale * k;
-        double const spectrum = sigma * sigma * scale / core::kPi * (1.0 + 3.0 * lk * lk) / std::pow(1.0 + lk * lk, 2.0);
+        double const spectrum =
+            sigma * sigma * scale / core::kPi * (1.0 + 3.0 * lk * lk) / std::pow(1.0 + lk * lk, 2.0);
         number[i] = k;
         size[i] = std::sqrt(2.0 * spectrum * k * (std::sqrt(ratio) - 1.0 / std::sqrt(ratio)));
         phase[i] = 2.0 * core::kPi * (static_cast<double>(random()) / 4294967296.0);

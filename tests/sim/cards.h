@@ -5,7 +5,8 @@
 #include "tests/sim/test_flight.h"
 
 namespace luftpost::flight {
-/// The test pilot: holds a pitch attitude, a climb or an airspeed with the elevator, the wings level, the ball centred.
+/// The test pilot: holds a pitch attitude, a climb or an airspeed with the elevator, the wings level, the
+/// ball centred.
 class TestPilot {
 public:
     explicit TestPilot(TestFlight& flight);
@@ -35,10 +36,10 @@ SteadyPath steadyPath(double altitude, double cas_kt, double power);
 struct Best {
     double value, speed_kt;
 };
-Best bestGlide();                      // ratio
+Best bestGlide();  // ratio
 Best bestClimb_fpm(double altitude);
 double levelSpeed_kt();
-double ceiling_ft();                   // 100 ft/min left
+double ceiling_ft();  // 100 ft/min left
 
 struct Distances {
     double roll_ft = 0.0, over50ft_ft = 0.0, touchdown_mps = 0.0, off_m = 0.0;

@@ -19,7 +19,8 @@ Motion spun(double seconds, int perSecond) {
     Motion motion;
     motion.ratesBody = kRates;
     int const steps = static_cast<int>(std::lround(seconds * perSecond));
-    for (int i = 0; i < steps; ++i) motion = moved(motion, Loads{}, glm::dvec3{0.0}, 1.0, inertia(), 1.0 / perSecond);
+    for (int i = 0; i < steps; ++i)
+        motion = moved(motion, Loads{}, glm::dvec3{0.0}, 1.0, inertia(), 1.0 / perSecond);
     return motion;
 }
 double energy(Motion const& m) { return 0.5 * glm::dot(m.ratesBody, inertia() * m.ratesBody); }
@@ -44,7 +45,8 @@ Jacobi jacobi(double u, double m) {
 /// Euler's equations solved (Landau and Lifshitz, Mechanics, paragraph 37), for H^2 > 2 T I_middle.
 glm::dvec3 exactRates(double t) {
     double const twoT = kA * kRates.x * kRates.x + kB * kRates.y * kRates.y + kC * kRates.z * kRates.z;
-    double const h2 = kA * kA * kRates.x * kRates.x + kB * kB * kRates.y * kRates.y + kC * kC * kRates.z * kRates.z;
+    double const h2 =
+        kA * kA * kRates.x * kRates.x + kB * kB * kRates.y * kRates.y + kC * kC * kRates.z * kRates.z;
     double const first = std::sqrt((twoT * kC - h2) / (kA * (kC - kA)));
     double const second = std::sqrt((twoT * kC - h2) / (kB * (kC - kB)));
     double const third = std::sqrt((h2 - twoT * kA) / (kC * (kC - kA)));
@@ -65,9 +67,11 @@ TEST(RigidBody, TorqueFreeTumblingKeepsEnergyAndMomentumForTenMinutes) {
     for (int i = 0; i < 600 * 120; ++i) {
         motion = moved(motion, Loads{}, glm::dvec3{0.0}, 1.0, inertia(), 1.0 / 120.0);
         worstEnergy = std::max(worstEnergy, std::abs(energy(motion) / energy(start) - 1.0));
-        worstMomentum = std::max(worstMomentum, std::abs(glm::length(inertia() * motion.ratesBody) / momentum - 1.0));
+        worstMomentum =
+            std::max(worstMomentum, std::abs(glm::length(inertia() * motion.ratesBody) / momentum - 1.0));
     }
-    std::printf("torque-free body, 120 Hz, 600 s: energy within %.1e, momentum within %.1e\n", worstEnergy, worstMomentum);
+    std::printf("torque-free body, 120 Hz, 600 s: energy within %.1e, momentum within %.1e\n", worstEnergy,
+                worstMomentum);
     EXPECT_LT(worstEnergy, 1e-6);
     EXPECT_LT(worstMomentum, 1e-9);
     // And the direction of the momentum in the world.
@@ -79,7 +83,8 @@ TEST(RigidBody, TorqueFreeTumblingFollowsTheExactSolution) {
     EXPECT_NEAR(glm::length(exactRates(0.0) - kRates), 0.0, 1e-9);
     double const coarse = glm::length(spun(2.0, 240).ratesBody - exactRates(2.0));
     double const fine = glm::length(spun(2.0, 960).ratesBody - exactRates(2.0));
-    std::printf("torque-free body after 2 s: off by %.4f rad/s at 240 Hz, %.4f at 960 Hz (of 15)\n", coarse, fine);
+    std::printf("torque-free body after 2 s: off by %.4f rad/s at 240 Hz, %.4f at 960 Hz (of 15)\n", coarse,
+                fine);
     EXPECT_LT(coarse, 0.15);
     EXPECT_NEAR(coarse / fine, 16.0, 3.0) << "second order";
 }
@@ -87,7 +92,8 @@ TEST(RigidBody, TorqueFreeTumblingFollowsTheExactSolution) {
 TEST(RigidBody, AFallIsAParabola) {
     Motion motion;
     motion.velocityWorld = {10.0, 5.0, 0.0};
-    for (int i = 0; i < 240; ++i) motion = moved(motion, Loads{}, {0.0, -9.80665, 0.0}, 3.0, glm::dmat3{1.0}, 1.0 / 240.0);
+    for (int i = 0; i < 240; ++i)
+        motion = moved(motion, Loads{}, {0.0, -9.80665, 0.0}, 3.0, glm::dmat3{1.0}, 1.0 / 240.0);
     EXPECT_NEAR(motion.positionWorld.x, 10.0, 1e-9);
     EXPECT_NEAR(motion.positionWorld.y, 5.0 - 0.5 * 9.80665, 0.03);
     EXPECT_NEAR(motion.velocityWorld.y, 5.0 - 9.80665, 1e-9);

@@ -1,7 +1,8 @@
-// A flight to measure: the default airframe, the standard atmosphere handed in as air, flat land at sea level.
+// A flight to measure: the default airframe, the standard atmosphere handed in as air, flat land at sea
+// level.
 #pragma once
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include <functional>
 #include <string>
@@ -23,9 +24,10 @@ inline core::AirSample isaAir(double altitude) {
 
 class TestFlight {
 public:
-    explicit TestFlight(double payload = 240.0, double fuel = 100.0, std::string const& airframe = "mail_plane")
-        : aircraft{loadAirframe(std::string{LUFTPOST_SOURCE_DIR} + "/assets/airframes/" + airframe + ".json"), payload,
-                   fuel} {}
+    explicit TestFlight(double payload = 240.0, double fuel = 100.0,
+                        std::string const& airframe = "mail_plane")
+        : aircraft{loadAirframe(std::string{LUFTPOST_SOURCE_DIR} + "/assets/airframes/" + airframe + ".json"),
+                   payload, fuel} {}
 
     explicit TestFlight(AssistLevel level, AssistSettings const& parameters = {}) : TestFlight{} {
         assist = level;

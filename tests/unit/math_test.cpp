@@ -26,10 +26,18 @@ double worst(Ours ours, Standard standard, double low, double high, double floor
 
 TEST(Math, SineCosineTangentAreGoodTo14Digits) {
     for (double range : {1.0, 10.0, 1.0e3, 1.0e6}) {
-        EXPECT_LT(worst(sin, [](double x) { return std::sin(x); }, -range, range, 1e-2), 1e-14) << range;
-        EXPECT_LT(worst(cos, [](double x) { return std::cos(x); }, -range, range, 1e-2), 1e-14) << range;
+        EXPECT_LT(worst(
+                      sin, [](double x) { return std::sin(x); }, -range, range, 1e-2),
+                  1e-14)
+            << range;
+        EXPECT_LT(worst(
+                      cos, [](double x) { return std::cos(x); }, -range, range, 1e-2),
+                  1e-14)
+            << range;
     }
-    EXPECT_LT(worst(tan, [](double x) { return std::tan(x); }, -1.57, 1.57, 1e-9), 1e-14);
+    EXPECT_LT(worst(
+                  tan, [](double x) { return std::tan(x); }, -1.57, 1.57, 1e-9),
+              1e-14);
     EXPECT_NEAR(sin(kPi), 1.2246467991473532e-16, 1e-30);
     EXPECT_DOUBLE_EQ(sin(1e-300), 1e-300);
 }
@@ -44,9 +52,15 @@ TEST(Math, SineStaysBoundedForHugeArguments) {
 }
 
 TEST(Math, InverseFunctionsAreGoodTo14Digits) {
-    EXPECT_LT(worst(atan, [](double x) { return std::atan(x); }, -20.0, 20.0, 1e-12), 1e-14);
-    EXPECT_LT(worst(asin, [](double x) { return std::asin(x); }, -1.0, 1.0, 1e-12), 1e-14);
-    EXPECT_LT(worst(acos, [](double x) { return std::acos(x); }, -1.0, 1.0, 1e-9), 1e-14);
+    EXPECT_LT(worst(
+                  atan, [](double x) { return std::atan(x); }, -20.0, 20.0, 1e-12),
+              1e-14);
+    EXPECT_LT(worst(
+                  asin, [](double x) { return std::asin(x); }, -1.0, 1.0, 1e-12),
+              1e-14);
+    EXPECT_LT(worst(
+                  acos, [](double x) { return std::acos(x); }, -1.0, 1.0, 1e-9),
+              1e-14);
     for (int degrees = -179; degrees <= 180; ++degrees) {
         double const angle = radians(degrees);
         EXPECT_NEAR(atan2(3.0 * std::sin(angle), 3.0 * std::cos(angle)), angle, 1e-14);
@@ -58,10 +72,18 @@ TEST(Math, InverseFunctionsAreGoodTo14Digits) {
 }
 
 TEST(Math, ExponentialAndLogarithmAreGoodTo14Digits) {
-    EXPECT_LT(worst(exp, [](double x) { return std::exp(x); }, -700.0, 700.0, 0.0), 1e-14);
-    EXPECT_LT(worst(exp, [](double x) { return std::exp(x); }, -1.0, 1.0, 0.0), 1e-15);
-    EXPECT_LT(worst(log, [](double x) { return std::log(x); }, 1e-3, 1e3, 1e-9), 1e-14);
-    EXPECT_LT(worst(log, [](double x) { return std::log(x); }, 0.999, 1.001, 1e-12), 1e-14);
+    EXPECT_LT(worst(
+                  exp, [](double x) { return std::exp(x); }, -700.0, 700.0, 0.0),
+              1e-14);
+    EXPECT_LT(worst(
+                  exp, [](double x) { return std::exp(x); }, -1.0, 1.0, 0.0),
+              1e-15);
+    EXPECT_LT(worst(
+                  log, [](double x) { return std::log(x); }, 1e-3, 1e3, 1e-9),
+              1e-14);
+    EXPECT_LT(worst(
+                  log, [](double x) { return std::log(x); }, 0.999, 1.001, 1e-12),
+              1e-14);
     EXPECT_DOUBLE_EQ(log(std::numeric_limits<double>::denorm_min()), -744.44007192138122);
     EXPECT_EQ(exp(-1000.0), 0.0);
     EXPECT_EQ(exp(1000.0), kInfinity);
@@ -72,8 +94,8 @@ TEST(Math, ExponentialAndLogarithmAreGoodTo14Digits) {
 
 TEST(Math, PowersAreGoodTo14Digits) {
     for (double y : {-3.0, -0.5, 1.0 / 3.0, 2.0 / 7.0, 1.4, 5.25588})
-        EXPECT_LT(worst([y](double x) { return pow(x, y); }, [y](double x) { return std::pow(x, y); }, 0.01, 40.0,
-                        0.0),
+        EXPECT_LT(worst([y](double x) { return pow(x, y); }, [y](double x) { return std::pow(x, y); }, 0.01,
+                        40.0, 0.0),
                   1e-14)
             << y;
     EXPECT_EQ(pow(0.0, 2.0), 0.0);

@@ -126,7 +126,7 @@ TEST(LevelChoice, AsksForResidentChunksFirstAndFineOnesBehindLast) {
     auto const wanted = wantedChunks(view, 60.0, 280.0, [](ChunkKey) { return HeightBounds{200.0, 3000.0}; });
     std::size_t firstFine = wanted.size(), firstBehind = wanted.size(), lastSeen = 0, lastResident = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        bool const resident = wanted[i].key.level >= kResidentLevel;
+        bool const resident = wanted[i].kept;
         if (resident) lastResident = i;
         else if (firstFine == wanted.size()) firstFine = i;
         if (!resident && !wanted[i].inView && firstBehind == wanted.size()) firstBehind = i;
@@ -179,8 +179,9 @@ TEST(Streamer, DrawsParentsRightAfterATurn) {
     options.workers = 1;
     options.step = 6;
     Streamer streamer{kLand, options};
-    streamer.finish(viewFrom(0.0, 0.0, 900.0, 0.0));
+    streamer.finishKept(viewFrom(0.0, 0.0, 900.0, 0.0));
     DrawList const turned = streamer.update(viewFrom(0.0, 0.0, 900.0, 3.14159));
+    EXPECT_TRUE(turned.whole);
     EXPECT_FALSE(turned.chunks.empty());
     for (DrawnChunk const& chunk : turned.chunks) EXPECT_NE(chunk.quarters, 0u);
     EXPECT_GE(turned.chunks.back().key.level, kResidentLevel);

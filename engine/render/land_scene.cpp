@@ -1,0 +1,182 @@
+#include "engine/render/land_scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "engine/gl/draw.h"
+
+namespace luftpost::render {
+namespace {
+using terrain::ChunkKey;
+using terrain::kChunkCells;
+
+struct GridVertex {
+    std::uint8_t east, north, foot, unused = 0;
+};
+
+/// Vertices in rows, then the feet of the skirts under the lines 0, half and whole: three along the rows, three across.
+std::vector<GridVertex> gridVertices(int stride) {
+    std::vector<GridVertex> vertices;
+    auto const add = [&](int x, int y, int foot) {
+        vertices.push_back({static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(foot)});
+    };
+    for (int y = 0; y <= kChunkCells; y += stride)
+        for (int x = 0; x <= kChunkCells; x += stride) add(x, y, 0);
+    for (int line = 0; line <= kChunkCells; line += kChunkCells / 2)
+        for (int x = 0; x <= kChunkCells; x += stride) add(x, line, 1);
+    for (int line = 0; line <= kChunkCells; line += kChunkCells / 2)
+        for (int y = 0; y <= kChunkCells; y += stride) add(line, y, 1);
+    return vertices;
+}
+
+/// Two triangles a cell, split along the diagonal from south-west to north-east, on which odd vertices slide. Every
+/// quarter has a skirt on its four sides, since its neighbour may be of another level.
+std::vector<std::uint16_t> gridIndices(int stride) {
+    int const cells = kChunkCells / stride, side = cells + 1, half = cells / 2;
+    std::vector<std::uint16_t> indices;
+    auto const quad = [&](int a, int b, int c, int d) {  // a b / c d from south-west, counter-clockwise from above
+        for (int index : {a, b, d, a, d, c}) indices.push_back(static_cast<std::uint16_t>(index));
+    };
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        int const east = quarter & 1, north = quarter >> 1, x0 = east * half, y0 = north * half;
+        for (int y = y0; y < y0 + half; ++y)
+            for (int x = x0; x < x0 + half; ++x) quad(y * side + x, y * side + x + 1, (y + 1) * side + x, (y + 1) * side + x + 1);
+        int const south = (side + north) * side, far = south + side, west = (side + 3 + east) * side, right = west + side;
+        for (int i = 0; i < half; ++i) {
+            int const x = x0 + i, y = y0 + i, top = (y0 + half) * side, end = x0 + half;
+            quad(south + x, south + x + 1, y0 * side + x, y0 * side + x + 1);
+            quad(top + x, top + x + 1, far + x, far + x + 1);
+            quad(west + y, y * side + x0, west + y + 1, (y + 1) * side + x0);
+            quad(y * side + end, right + y, (y + 1) * side + end, right + y + 1);
+        }
+    }
+    return indices;
+}
+
+constexpr std::array<gl::Attribute, 1> kAttributes{gl::Attribute{0, 4, gl::AttributeType::uint8, 0, false, true}};
+
+int trianglesOf(int quarters, int stride) { return quarters * 2 * (kChunkCells / stride / 2) * (kChunkCells / stride / 2); }
+int quartersOf(std::vector<terrain::DrawnChunk> const& chunks) {
+    int quarters = 0;
+    for (terrain::DrawnChunk const& chunk : chunks) quarters += std::popcount(chunk.quarters);
+    return quarters;
+}
+}  // namespace
+
+GridMesh::GridMesh(int everyStride) : stride{everyStride} {
+    std::vector<GridVertex> const points = gridVertices(stride);
+    std::vector<std::uint16_t> const triangles = gridIndices(stride);
+    indicesPerQuarter = static_cast<int>(triangles.size() / 4);
+    vertices = gl::Buffer{gl::bytesOfRange(points), "grid vertices"};
+    indices = gl::Buffer{gl::bytesOfRange(triangles), "grid indices"};
+    array = gl::VertexArray{{{&vertices, sizeof(GridVertex), kAttributes}}, &indices, gl::IndexType::uint16, "grid"};
+}
+
+terrain::CameraView cameraView(Camera const& camera, glm::ivec2 const& size) {
+    terrain::CameraView view;
+    view.positionWorld = camera.positionWorld;
+    view.forward = camera.worldFromCamera * glm::dvec3{0.0, 0.0, -1.0};
+    view.up = camera.worldFromCamera * glm::dvec3{0.0, 1.0, 0.0};
+    view.tanHalfWidth = std::tan(0.5 * camera.horizontalFov);
+    view.tanHalfHeight = view.tanHalfWidth * size.y / size.x;
+    view.allRound = camera.projection != Projection::perspective;
+    return view;
+}
+
+LandScene::LandScene(int workers)
+    : workers_{workers}, block_{sizeof(glsl::LandBlock), "land block"}, noShadow_{gl::Format::rg32f, {1, 1}, 1, "no shadow"} {
+    noShadow_.clear(glm::vec4{-1.0e6f, 1.0f, 0.0f, 0.0f});
+}
+
+void LandScene::startOver(Snapshot const& snapshot, int step) {
+    streamer_.reset();
+    textures_.clear();
+    land_ = std::make_unique<terrain::Land>(snapshot.seed, snapshot.place.altitude_m);
+    terrain::StreamerOptions options;
+    options.workers = workers_;
+    options.step = step;
+    streamer_ = std::make_unique<terrain::Streamer>(*land_, options);
+}
+
+void LandScene::update(FrameContext const& context) {
+    Snapshot const& snapshot = context.snapshot;
+    // Coarse meshes draw every 4th to 6th vertex: then every second sample is enough, and made four times as fast.
+    int const step = snapshot.graphics.triangles <= 600'000 ? 2 : 1;
+    bool const first = !land_ || land_->seed() != snapshot.seed || land_->base() != snapshot.place.altitude_m || streamer_->options().step != step;
+    if (first) startOver(snapshot, step);
+    terrain::CameraView const view = cameraView(snapshot.camera, context.targets.size);
+    take(snapshot.still ? streamer_->finish(view) : streamer_->update(view));
+    if (!list_.whole) take(streamer_->finishKept(view));  // the first frame, or a jump across the world
+    chooseMesh(snapshot.graphics.triangles);
+    fillBlock(context);
+}
+
+void LandScene::take(terrain::DrawList list) {
+    list_ = std::move(list);
+    for (ChunkKey const& key : list_.dropped) textures_.erase(key);
+    for (auto const& chunk : list_.fresh) {
+        int const side = chunk->cells + 1;
+        ChunkTexture entry{gl::Texture2D{gl::Format::rgba32f, {side, side}, 1, "chunk"}, chunk->lowest};
+        entry.texture.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
+        entry.texture.upload(std::span<float const>{&chunk->samples.front().x, chunk->samples.size() * 4});
+        textures_.insert_or_assign(chunk->key, std::move(entry));
+    }
+    list_.fresh.clear();
+}
+
+// The finest mesh that keeps the frame within its triangles, of those whose vertices were sampled.
+void LandScene::chooseMesh(int budget) {
+    int const quarters = quartersOf(list_.chunks), step = streamer_->options().step;
+    int chosen = 6;
+    for (int stride = 6; stride >= 1; --stride)
+        if (stride % step == 0 && trianglesOf(quarters, stride) <= budget) chosen = stride;
+    auto& mesh = meshes_[static_cast<std::size_t>(chosen - 1)];
+    if (!mesh) mesh = std::make_unique<GridMesh>(chosen);
+    mesh_ = mesh.get();
+}
+
+int LandScene::trianglesDrawn() const { return mesh_ ? trianglesOf(quartersOf(list_.chunks), mesh_->stride) : 0; }
+
+void LandScene::fillBlock(FrameContext const& context) {
+    glm::dvec3 const& camera = context.snapshot.camera.positionWorld;
+    terrain::Runway const& runway = land_->runway();
+    glm::dvec2 const home{-camera.x, camera.z};
+    glsl::LandBlock block;
+    block.levels = glm::vec4{land_->waterLevel(), terrain::kSnowLine, list_.aboveGround, camera.y};
+    block.runway = glm::vec4{runway.directionEastNorth, runway.length, runway.width};
+    block.home = glm::vec4{home, runway.altitude, glm::length(home) < 40'000.0 ? 1.0 : 0.0};
+    block.shadow = glm::vec4{0.0f};
+    block_.update(gl::bytesOf(block));
+}
+
+void LandScene::bind() const {
+    block_.bindUniform(4);
+    noShadow_.bind(1);
+}
+
+void LandScene::draw(terrain::DrawnChunk const& chunk, gl::Program const& program, glm::dvec3 const& camera) const {
+    ChunkTexture const& entry = textures_.at(chunk.key);
+    glm::dvec2 const corner = chunk.key.corner();
+    double const cell = chunk.key.size() / kChunkCells, range = terrain::levelRange(chunk.key.level);
+    bool const top = chunk.key.level == terrain::kTopLevel;
+    double const begin = top ? 1.0e9 : terrain::kMorphBegin * range, end = top ? 2.0e9 : range;
+    entry.texture.bind(0);
+    program.set("chunkPlace", glm::vec4{corner.x - camera.x, corner.y + camera.z, cell, 1.0 / streamer_->options().step});
+    program.set("chunkOrigin", glm::ivec4{glm::ivec2{corner}, mesh_->stride, static_cast<int>(chunk.coarserSides)});
+    program.set("chunkMorph", glm::vec4{begin, 1.0 / (end - begin), 1.0 / entry.texture.size().x, 0.0});
+    for (unsigned quarter = 0; quarter < 4;) {  // runs of neighbouring quarters in one draw
+        if (!(chunk.quarters >> quarter & 1u)) {
+            ++quarter;
+            continue;
+        }
+        unsigned last = quarter;
+        while (last < 3 && (chunk.quarters >> (last + 1) & 1u)) ++last;
+        auto const count = static_cast<int>(last - quarter + 1) * mesh_->indicesPerQuarter;
+        gl::drawElements(mesh_->array, gl::Primitive::triangles, count, quarter * static_cast<std::size_t>(mesh_->indicesPerQuarter));
+        quarter = last + 1;
+    }
+}
+
+terrain::StreamerStats LandScene::stats() const { return streamer_ ? streamer_->stats() : terrain::StreamerStats{}; }
+}  // namespace luftpost::render

@@ -1,0 +1,209 @@
+// `luftpost sky`: stills of the sky and the land under it.
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/core/time.h"
+#include "engine/gl/context.h"
+#include "engine/platform/paths.h"
+#include "engine/platform/surface.h"
+#include "engine/render/renderer.h"
+#include "engine/sky/sky_state.h"
+#include "engine/terrain/land.h"
+#include "engine/weather/field.h"
+#include "game/app/commands.h"
+
+namespace luftpost::app {
+namespace {
+namespace fs = std::filesystem;
+constexpr double kEyeHeight = 2.0;       // m above the ground
+constexpr double kHighestEye = 20000.0;  // m above sea level
+constexpr long long kMostFrames = 100000;
+constexpr unsigned kUsualSeed = 1;
+
+/// The command's own options as the command line has them.
+struct SkyTexts {
+    std::string look, fov, exposure, frames, step;
+    fs::path output;
+    bool panorama = false;
+    bool dome = false;
+};
+
+/// What to draw, read and checked.
+struct SkyRequest {
+    glm::dvec2 look{0.0, 10.0};  // azimuth, elevation, degrees
+    double fov_deg = 75.0;
+    render::Projection projection = render::Projection::perspective;
+    float exposure_ev = 0.0f;
+    long long firstFrame = 0, lastFrame = 0;
+    bool lapse = false;
+    double step = 60.0;  // s
+    fs::path output;
+};
+
+bool isExr(fs::path const& file) { return file.extension() == ".exr"; }
+
+void readView(SkyRequest& request, SkyTexts const& texts) {
+    if (texts.panorama && texts.dome) throw core::Error{"--dome", "", "expected not together with --panorama"};
+    if (texts.panorama) request.projection = render::Projection::panorama;
+    if (texts.dome) request.projection = render::Projection::dome;
+    bool const whole = texts.panorama || texts.dome;
+    if (whole && !(texts.look.empty() && texts.fov.empty()))
+        throw core::Error{texts.look.empty() ? "--fov" : "--look", "", "expected not together with --panorama or --dome"};
+    if (!texts.look.empty()) {
+        auto const angles = numbersOption("--look", texts.look, 2, 2, "AZ,EL");
+        request.look = {angles[0], angles[1]};
+        if (std::abs(request.look.x) > 720.0 || std::abs(request.look.y) > 90.0)
+            throw core::Error{"--look", "", fmt::format("expected AZ -720..720 and EL -90..90, found {}", texts.look)};
+    }
+    if (!texts.fov.empty()) request.fov_deg = numberOption("--fov", texts.fov, 0.1, 170.0);
+}
+
+void readLapse(SkyRequest& request, SkyTexts const& texts) {
+    if (!texts.step.empty()) request.step = numberOption("--step", texts.step, 0.001, 1.0e6);
+    if (texts.frames.empty()) {
+        if (!texts.step.empty()) throw core::Error{"--step", "", "expected only together with --frames A:B"};
+        return;
+    }
+    auto const colon = texts.frames.find(':');
+    if (colon == std::string::npos)
+        throw core::Error{"--frames", "", fmt::format("expected A:B, found {}", texts.frames)};
+    std::string_view const text = texts.frames;
+    request.lapse = true;
+    request.firstFrame = wholeOption("--frames", text.substr(0, colon), 0, kMostFrames);
+    request.lastFrame = wholeOption("--frames", text.substr(colon + 1), request.firstFrame, kMostFrames);
+}
+
+SkyRequest skyRequest(SkyTexts const& texts) {
+    SkyRequest request;
+    readView(request, texts);
+    readLapse(request, texts);
+    if (!texts.exposure.empty())
+        request.exposure_ev = static_cast<float>(numberOption("--exposure", texts.exposure, -30.0, 30.0));
+    request.output = texts.output;
+    if (request.output.empty()) throw core::Error{"-o", "", "expected FILE.png or FILE.exr"};
+    if (!isExr(request.output) && request.output.extension() != ".png")
+        throw core::Error{"-o", "", fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
+    core::checkOutputFolder("-o", request.output);
+    return request;
+}
+
+/// Weather, place and land of a still. The place's altitude is that of the nearest site: ALT_M of --place is the eye.
+struct Scene {
+    explicit Scene(CommonOptions const& common)
+        : field{weather::loadWeather(source(common), wish(common))},
+          seed{common.seed.value_or(kUsualSeed)},
+          place{field.place()},
+          land{seed, place.altitude_m},
+          start{startTime(common)} {
+        double const ground = land.ground(0.0, 0.0).height + kEyeHeight;
+        eye = ground;
+        if (common.place && common.place->altitude_m) eye = std::max(*common.place->altitude_m, ground);
+        if (eye > kHighestEye)
+            throw core::Error{"--place", "", fmt::format("expected an eye no higher than {} m, found {}", kHighestEye, eye)};
+    }
+
+    static std::string source(CommonOptions const& common) {
+        if (!common.weather.empty()) return common.weather;
+        return "recorded:" + platform::dataFile(weather::kDefaultRecording).string();
+    }
+    static std::optional<weather::PlaceWish> wish(CommonOptions const& common) {
+        if (!common.place) return std::nullopt;
+        return weather::PlaceWish{common.place->lat_deg, common.place->lon_deg, std::nullopt};
+    }
+    core::UtcSeconds startTime(CommonOptions const& common) const {
+        core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
+        bool const preset = field.origin().mode == weather::SourceMode::Preset;
+        core::UtcSeconds const time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
+        if (!preset && !field.covers(time))
+            fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n", source(common),
+                       core::formatUtc(time), core::formatUtc(field.start()), core::formatUtc(field.end()));
+        return time;
+    }
+
+    weather::Field field;
+    unsigned seed;
+    core::Place place;
+    terrain::Land land;
+    core::UtcSeconds start;
+    double eye = 0.0;  // m above sea level
+};
+
+glm::dquat orientation(glm::dvec2 const& look_deg) {
+    // Azimuth turns clockwise, so against the y axis.
+    return glm::angleAxis(-core::radians(look_deg.x), glm::dvec3{0.0, 1.0, 0.0}) *
+           glm::angleAxis(core::radians(look_deg.y), glm::dvec3{1.0, 0.0, 0.0});
+}
+
+render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, CommonOptions const& common, double seconds) {
+    render::Snapshot snapshot;
+    snapshot.camera.positionWorld = {0.0, scene.eye, 0.0};
+    snapshot.camera.worldFromCamera = orientation(request.look);
+    snapshot.camera.horizontalFov = core::radians(request.fov_deg);
+    snapshot.camera.projection = request.projection;
+    snapshot.still = true;
+    snapshot.graphics = common.settings.graphics;
+    snapshot.graphics.exposure_ev = request.exposure_ev;
+    snapshot.time = scene.start + seconds;
+    snapshot.simulationSeconds = seconds;
+    snapshot.frameSeconds = 0.0;
+    snapshot.seed = scene.seed;
+    snapshot.place = scene.place;
+    core::Place eye = scene.place;
+    eye.altitude_m = scene.eye;
+    snapshot.sky = sky::skyState(eye, snapshot.time);
+    snapshot.field = &scene.field;
+    snapshot.weather = scene.field.at(0.0, 0.0, snapshot.time);
+    glm::dvec2 const wind =
+        scene.field.windAt(0.0, 0.0, scene.eye, scene.land.ground(0.0, 0.0).height, snapshot.time);
+    snapshot.windWorld = {wind.x, 0.0, -wind.y};
+    return snapshot;
+}
+
+/// FILE.png, or FILE_0007.png in a time lapse.
+fs::path fileOfFrame(SkyRequest const& request, long long frame) {
+    if (!request.lapse) return request.output;
+    fs::path file = request.output;
+    file.replace_filename(fmt::format("{}_{:04}{}", request.output.stem().string(), frame,
+                                      request.output.extension().string()));
+    return file;
+}
+
+int runSky(SkyTexts const& texts, CommonOptions const& common) {
+    SkyRequest const request = skyRequest(texts);
+    Scene const scene{common};
+    auto const surface = platform::openHeadless(common.size);
+    gl::prepareContext();
+    render::Renderer renderer{{.size = common.size}};
+    for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
+        renderer.draw(snapshotOf(request, scene, common, static_cast<double>(frame) * request.step));
+        fs::path const file = fileOfFrame(request, frame);
+        if (isExr(file))
+            assets::writeExr(file, renderer.readHdr());
+        else
+            assets::writePng(file, renderer.readPixels());
+    }
+    return 0;
+}
+}  // namespace
+
+void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
+    CLI::App* sky = app.add_subcommand("sky", "a still of the sky; ALT_M of --place is the eye (default: 2 m above ground)");
+    auto const texts = std::make_shared<SkyTexts>();
+    sky->add_option("--look", texts->look, "AZ,EL in degrees: clockwise from north, upward (default 0,10)");
+    sky->add_option("--fov", texts->fov, "horizontal field of view, degrees (default 75)");
+    sky->add_flag("--panorama", texts->panorama, "the whole sphere, equirectangular, north at the left edge");
+    sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
+    sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear)");
+    sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
+    sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on");
+    sky->add_option("--step", texts->step, "seconds between frames (default 60)");
+    sky->callback([texts, &common, &chosen] { chosen = [texts, &common] { return runSky(*texts, common); }; });
+}
+}  // namespace luftpost::app
