@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/core/math.h"
 #include "engine/core/time.h"
@@ -14,6 +15,9 @@ namespace luftpost::weather {
 namespace {
 constexpr double kNearest = 1000.0;    // m: a site's weight grows no further within
 constexpr double kLeastCover = 0.004;  // less is no layer
+
+/// A site's weight, before they are made to sum to 1.
+double nearness(double east, double north) { return 1.0 / (east * east + north * north + kNearest * kNearest); }
 
 /// No more layers than a Weather holds: the least ones go, and what is hardly more fades toward them, so that none flashes.
 void fitLayers(std::vector<Layer>& layers) {
@@ -31,12 +35,30 @@ double Field::Data::weight(std::size_t site, double east, double north) const {
     if (sites.size() == 1) return 1.0;
     double sum = 0.0, own = 0.0;
     for (std::size_t i = 0; i < sites.size(); ++i) {
-        double const de = east - sites[i].east, dn = north - sites[i].north;
-        double const weight = 1.0 / (de * de + dn * dn + kNearest * kNearest);
+        double const weight = nearness(east - sites[i].east, north - sites[i].north);
         sum += weight;
         if (i == site) own = weight;
     }
     return own / sum;
+}
+
+/// All of a site's weather but visibility and layers.
+Weather Field::Data::siteWeather(std::size_t index, double time) const {
+    SiteData const& site = sites[index];
+    FullReport const& report = site.reports[reportIndex(index, time)];
+    Weather weather;
+    weather.windSurface = site.wind.at(time);
+    weather.gust = site.gust.at(time);
+    weather.temperature = site.temperature.at(time);
+    weather.dewPoint = site.dewPoint.at(time);
+    weather.pressureSea = site.pressureSea.at(time);
+    weather.precipitation = report.kind;
+    weather.precipitationRate = site.rate.rateAt(time);
+    weather.thunder = report.thunder;
+    weather.cape = site.cape.at(time);
+    weather.freezingLevel = site.freezingLevel.at(time);
+    weather.snowDepth = site.snowDepth.at(time);
+    return weather;
 }
 
 Profile Field::Data::profile(std::size_t index, double time) const {
@@ -52,7 +74,7 @@ Profile Field::Data::profile(std::size_t index, double time) const {
     profile.gust = site.gust.at(time);
     profile.temperature = site.temperature.at(time);
     profile.pressureSea = site.pressureSea.at(time);
-    profile.visibility = core::exp(site.logVisibility.at(time));
+    profile.logVisibility = site.logVisibility.at(time);
     profile.elevation = site.elevation;
     profile.southern = site.southern;
     return profile;
@@ -65,39 +87,58 @@ std::size_t Field::Data::reportIndex(std::size_t index, double time) const {
     return static_cast<std::size_t>(std::min(at - site.times.begin(), static_cast<std::ptrdiff_t>(site.times.size()) - 1));
 }
 
-std::optional<Layer> Field::Data::layer(std::size_t track, std::vector<double> const& weights, double time) const {
+std::optional<Layer> FieldInstant::layer(TrackNow const& track, std::vector<double> const& weights) const {
     double cover = 0.0, base = 0.0, top = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        if (sites[i].curves[track]) cover += weights[i] * sites[i].curves[track]->cover.at(time);
-    if (cover <= kLeastCover) return std::nullopt;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        if (!sites[i].curves[track]) continue;
-        base += weights[i] * sites[i].curves[track]->base.at(time);
-        top += weights[i] * sites[i].curves[track]->top.at(time);
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+        Extent const& extent = track.sites[i];
+        if (!extent.present) continue;
+        cover += weights[i] * extent.cover;
+        base += weights[i] * extent.base;
+        top += weights[i] * extent.top;
         sum += weights[i];
     }
-    FieldTrack const& own = tracks[track];
-    Layer layer;
-    layer.genus = own.genus;
+    if (cover <= kLeastCover) return std::nullopt;
+    Layer layer = track.layer;
     // Fades in from nothing: the least cover is taken off and grows back over as much again.
     layer.cover = static_cast<float>(std::min({1.0, cover, 2.0 * (cover - kLeastCover)}));
     layer.base = static_cast<float>(base / sum);
     layer.top = static_cast<float>(top / sum);
-    layer.water = static_cast<float>(genusRow(own.genus).water);
-    layer.wind = own.wind.at(time);
-    layer.drift = own.wind.integralTo(time) - own.atStart;
-    layer.phase = (time - start) / 3600.0;
-    layer.pattern = own.pattern;
     return layer;
 }
 
-std::vector<Layer> Field::Data::layers(std::vector<double> const& weights, double time) const {
-    std::vector<Layer> found;
-    for (std::size_t t = 0; t < tracks.size(); ++t)
-        if (auto const one = layer(t, weights, time)) found.push_back(*one);
-    fitLayers(found);
-    std::stable_sort(found.begin(), found.end(), [](Layer const& a, Layer const& b) { return a.base < b.base; });
-    return found;
+Weather FieldInstant::at(double east, double north) const {
+    std::vector<double> weights;
+    for (SiteNow const& site : sites_) weights.push_back(nearness(east - site.east, north - site.north));
+    double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    Weather weather;
+    weather.gust = weather.temperature = weather.dewPoint = weather.pressureSea = weather.freezingLevel = 0.0;
+    double logVisibility = 0.0, wettest = 0.0, nearest = 0.0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+        Weather const& own = sites_[i].weather;
+        double const w = weights[i] /= sum, rain = w * own.precipitationRate;
+        weather.windSurface += w * own.windSurface;
+        weather.gust += w * own.gust;
+        weather.temperature += w * own.temperature;
+        weather.dewPoint += w * own.dewPoint;
+        weather.pressureSea += w * own.pressureSea;
+        weather.cape += w * own.cape;
+        weather.freezingLevel += w * own.freezingLevel;
+        weather.snowDepth += w * own.snowDepth;
+        weather.precipitationRate += rain;
+        logVisibility += w * sites_[i].logVisibility;
+        if (rain > wettest) weather.precipitation = own.precipitation;
+        if (w > nearest) weather.thunder = own.thunder;
+        wettest = std::max(wettest, rain);
+        nearest = std::max(nearest, w);
+    }
+    weather.visibility = core::exp(logVisibility);
+    std::vector<Layer> layers;
+    for (TrackNow const& track : tracks_)
+        if (auto const one = layer(track, weights)) layers.push_back(*one);
+    fitLayers(layers);
+    std::stable_sort(layers.begin(), layers.end(), [](Layer const& a, Layer const& b) { return a.base < b.base; });
+    for (Layer const& one : layers) weather.layers[static_cast<std::size_t>(weather.layerCount++)] = one;
+    return weather;
 }
 
 Field::Field(std::unique_ptr<Data const> data) : data_{std::move(data)} {}
@@ -105,36 +146,38 @@ Field::~Field() = default;
 Field::Field(Field&&) noexcept = default;
 Field& Field::operator=(Field&&) noexcept = default;
 
-Weather Field::at(double east, double north, core::UtcSeconds time) const {
+FieldInstant Field::instant(core::UtcSeconds time) const {
     Data const& d = *data_;
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < d.sites.size(); ++i) weights.push_back(d.weight(i, east, north));
-    Weather weather;
-    weather.gust = weather.temperature = weather.dewPoint = weather.pressureSea = weather.freezingLevel = 0.0;
-    double logVisibility = 0.0, wettest = 0.0, nearest = 0.0;
-    for (std::size_t i = 0; i < d.sites.size(); ++i) {
-        SiteData const& site = d.sites[i];
-        double const w = weights[i], rate = site.rate.rateAt(time);
-        weather.windSurface += w * site.wind.at(time);
-        weather.gust += w * site.gust.at(time);
-        weather.temperature += w * site.temperature.at(time);
-        weather.dewPoint += w * site.dewPoint.at(time);
-        weather.pressureSea += w * site.pressureSea.at(time);
-        weather.cape += w * site.cape.at(time);
-        weather.freezingLevel += w * site.freezingLevel.at(time);
-        weather.snowDepth += w * site.snowDepth.at(time);
-        weather.precipitationRate += w * rate;
-        logVisibility += w * site.logVisibility.at(time);
-        FullReport const& report = site.reports[d.reportIndex(i, time)];
-        if (w * rate > wettest) weather.precipitation = report.kind;
-        if (w > nearest) weather.thunder = report.thunder;
-        wettest = std::max(wettest, w * rate);
-        nearest = std::max(nearest, w);
+    FieldInstant now;
+    now.time_ = time;
+    for (std::size_t i = 0; i < d.sites.size(); ++i) 
+        now.sites_.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.sites[i].logVisibility.at(time)});
+    for (std::size_t t = 0; t < d.tracks.size(); ++t) {
+        FieldInstant::TrackNow track;
+        bool any = false;
+        for (SiteData const& site : d.sites) {
+            FieldInstant::Extent extent;
+            if (auto const& curves = site.curves[t]) {
+                double const cover = curves->cover.at(time);
+                extent = {true, cover, curves->base.at(time), curves->top.at(time)};
+                any = any || cover > 0.0;
+            }
+            track.sites.push_back(extent);
+        }
+        if (!any) continue;
+        FieldTrack const& own = d.tracks[t];
+        track.layer.genus = own.genus;
+        track.layer.water = static_cast<float>(genusRow(own.genus).water);
+        track.layer.wind = own.wind.at(time);
+        track.layer.drift = own.wind.integralTo(time) - own.atStart;
+        track.layer.phase = (time - d.start) / 3600.0;
+        track.layer.pattern = own.pattern;
+        now.tracks_.push_back(std::move(track));
     }
-    weather.visibility = core::exp(logVisibility);
-    for (Layer const& layer : d.layers(weights, time)) weather.layers[static_cast<std::size_t>(weather.layerCount++)] = layer;
-    return weather;
+    return now;
 }
+
+Weather Field::at(double east, double north, core::UtcSeconds time) const { return instant(time).at(east, north); }
 
 core::UtcSeconds Field::start() const { return data_->start; }
 core::UtcSeconds Field::end() const { return data_->end; }
@@ -148,6 +191,11 @@ std::vector<std::vector<FieldReport>> const& Field::reports() const { return dat
 std::size_t Field::sites() const { return data_->sites.size(); }
 Profile Field::profile(std::size_t site, core::UtcSeconds time) const { return data_->profile(site, time); }
 double Field::siteWeight(std::size_t site, double east, double north) const { return data_->weight(site, east, north); }
+std::vector<unsigned> Field::patterns() const {
+    std::vector<unsigned> patterns;
+    for (FieldTrack const& track : data_->tracks) patterns.push_back(track.pattern);
+    return patterns;
+}
 glm::dvec2 Field::boundaryDrift(core::UtcSeconds time) const { return data_->boundary.integralTo(time) - data_->boundaryAtStart; }
 
 glm::dvec2 Field::windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const {

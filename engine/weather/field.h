@@ -53,7 +53,7 @@ struct Profile {
     double gust = 0.0;                          // m/s, 10 m above ground, the largest of the interval
     double temperature = 288.15;                // K, 2 m above the site
     double pressureSea = 101325.0;              // Pa
-    double visibility = 6.0e4;                  // m
+    double logVisibility = 11.0;                // of m
     double elevation = 0.0;                     // m above sea level, of the site
     bool southern = false;                      // there the wind backs with height instead of veering
 };
@@ -61,6 +61,39 @@ struct Profile {
 /// The wind of a profile at an altitude over ground of height `ground` (m above sea level): between levels linear; below the
 /// lowest and without any, the logarithmic law to 10 m, a power law to 1 km and Ekman's veering from the surface wind. m/s.
 glm::dvec2 windAt(Profile const& profile, double altitude, double ground);
+
+class Field;
+
+/// The field at one moment, everywhere: prepare it once for a map or a tick, then ask it at many points. A copy of numbers:
+/// it may outlive the field.
+class FieldInstant {
+public:
+    Weather at(double east, double north) const;
+    core::UtcSeconds time() const { return time_; }
+
+private:
+    friend class Field;
+    /// One site's share of the weather, all but the layers.
+    struct SiteNow {
+        double east, north;
+        Weather weather;
+        double logVisibility;
+    };
+    /// A track over one site: nothing where the site never had it.
+    struct Extent {
+        bool present = false;
+        double cover = 0.0, base = 0.0, top = 0.0;
+    };
+    struct TrackNow {
+        Layer layer;  // all but cover, base and top
+        std::vector<Extent> sites;
+    };
+    std::optional<Layer> layer(TrackNow const& track, std::vector<double> const& weights) const;
+
+    core::UtcSeconds time_ = 0.0;
+    std::vector<SiteNow> sites_;
+    std::vector<TrackNow> tracks_;  // those with any cover anywhere
+};
 
 class Field {
 public:
@@ -70,6 +103,7 @@ public:
 
     /// The weather over a point. Outside the recording's time it holds the nearest end (the clouds go on drifting).
     Weather at(double east, double north, core::UtcSeconds time) const;
+    FieldInstant instant(core::UtcSeconds time) const;
 
     core::UtcSeconds start() const;
     core::UtcSeconds end() const;
@@ -86,6 +120,9 @@ public:
     double siteWeight(std::size_t site, double east, double north) const;
     /// True when there is one site: at() is the same everywhere at one time, and may be asked once for a whole map.
     bool uniform() const { return sites() == 1; }
+
+    /// The patterns of all layers that ever stand in this field.
+    std::vector<unsigned> patterns() const;
 
     /// The wind of the boundary layer integrated from the recording's start: what carries turbulence and thermals. m.
     glm::dvec2 boundaryDrift(core::UtcSeconds time) const;

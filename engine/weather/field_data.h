@@ -69,14 +69,13 @@ struct Field::Data {
 
     double weight(std::size_t site, double east, double north) const;
     Profile profile(std::size_t site, double time) const;
+    Weather siteWeather(std::size_t site, double time) const;
     glm::dvec2 windAtOrigin(double altitude, double time) const;
     std::vector<double> allTimes() const;
     void joinTracks();
     void findWinds();
     void listReports();
     std::size_t reportIndex(std::size_t site, double time) const;
-    std::optional<Layer> layer(std::size_t track, std::vector<double> const& weights, double time) const;
-    std::vector<Layer> layers(std::vector<double> const& weights, double time) const;
 };
 
 }  // namespace luftpost::weather

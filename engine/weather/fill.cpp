@@ -14,7 +14,7 @@
 namespace luftpost::weather {
 namespace {
 constexpr double kZeroCelsius = 273.15;        // K
-constexpr double kGustFactor = 1.5;            // 3 s gust over 10 min mean in open country (WMO-No. 8)
+constexpr double kGustFactor = 1.567;          // gust over mean: three rms of Dryden's gusts at 10 m, near WMO-No. 8's open country
 constexpr double kUnknownSpeed = 3.0;          // m/s
 constexpr double kUnknownFrom = 270.0;         // deg, the westerlies
 constexpr double kUsualInterval = 3600.0;      // s
@@ -63,15 +63,6 @@ Series seriesOf(Site const& site, std::string const& place, Said const& said, do
         series.values.push_back(series.said.back() ? *said(report) : betweenKnown(known, report.time));
     }
     return series;
-}
-
-/// The sun's height, good to a degree: only tells day from night.
-double sunHeight(double lat_deg, double lon_deg, core::UtcSeconds time) {
-    double const day = time / 86400.0;
-    double const declination = -core::radians(23.44) * core::cos(2.0 * core::kPi * (day + 10.0) / 365.25);
-    double const hourAngle = 2.0 * core::kPi * (day - std::floor(day) - 0.5 + lon_deg / 360.0);
-    double const lat = core::radians(lat_deg);
-    return core::asin(std::clamp(core::sin(lat) * core::sin(declination) + core::cos(lat) * core::cos(declination) * core::cos(hourAngle), -1.0, 1.0));
 }
 
 struct Fallen {
@@ -139,7 +130,7 @@ Signs signsOf(Site const& site, Report const& said, FullReport const& full) {
     signs.windSpeed = glm::length(full.wind);
     signs.rate = full.rate;
     signs.thunder = full.thunder;
-    signs.day = sunHeight(site.lat_deg.value_or(0.0), site.lon_deg.value_or(0.0), full.time) > core::radians(5.0);
+    signs.day = sunHeight(site.lat_deg.value_or(0.0), site.lon_deg.value_or(0.0), full.time) > 0.087;  // 5 degrees
     signs.cape = said.cape_j_kg;
     signs.code = said.weatherCode;
     signs.bounds = said.coverBounds;
@@ -265,6 +256,14 @@ void fillThunder(Report const& said, FullReport& full) {
     full.filled["thunder"] = full.thunder;
 }
 }  // namespace
+
+double sunHeight(double lat_deg, double lon_deg, core::UtcSeconds time) {
+    double const day = time / 86400.0;
+    double const declination = -core::radians(23.44) * core::cos(2.0 * core::kPi * (day + 10.0) / 365.25);
+    double const hourAngle = 2.0 * core::kPi * (day - std::floor(day) - 0.5 + lon_deg / 360.0);
+    double const lat = core::radians(lat_deg);
+    return core::sin(lat) * core::sin(declination) + core::cos(lat) * core::cos(declination) * core::cos(hourAngle);
+}
 
 glm::dvec2 windVector(double speed, double from_deg) {
     double const angle = core::radians(from_deg);

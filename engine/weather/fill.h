@@ -41,6 +41,9 @@ std::vector<FullReport> fullReports(Site const& site);
 glm::dvec2 windVector(double speed, double from_deg);
 double windFrom_deg(glm::dvec2 wind);
 
+/// Sine of the sun's height, good to a degree: tells day from night and how much the ground heats.
+double sunHeight(double lat_deg, double lon_deg, core::UtcSeconds time);
+
 /// Relative humidity 0..1 by Magnus' formula (coefficients of Sonntag 1990). K.
 double relativeHumidity(double temperature, double dewPoint);
 

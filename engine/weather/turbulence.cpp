@@ -1,0 +1,108 @@
+#include "engine/weather/turbulence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "engine/core/frames.h"
+#include "engine/core/math.h"
+
+namespace luftpost::weather {
+namespace {
+constexpr double kFoot = core::kMetresPerFoot;
+constexpr double kLow = 1000.0, kHigh = 2000.0, kHighLength = 1750.0;  // ft
+constexpr double kFade = 2000.0;  // m, above 2000 ft: the free air is smoother than the boundary layer
+
+/// Height, so that small tables can stand for the powers: MIL-F-8785C's h below 1000 ft.
+double shape(double feet) { return 0.177 + 0.000823 * feet; }
+
+/// sigma_w above 2000 ft for a wind at 20 ft: through (0, 0), (15 kt, 5 ft/s), (30, 10), (45, 20), then on.
+double severity(double windGround) {
+    double const knots = windGround / core::kMetresPerSecondPerKnot;
+    double const feet = knots <= 30.0 ? knots / 3.0 : 10.0 + (knots - 30.0) * (10.0 / 15.0);
+    return feet * kFoot;
+}
+
+/// The sizes of the noise: distance of its lattice points, m.
+constexpr std::array<double, 6> kSizes{22.0, 55.0, 140.0, 350.0, 880.0, 2200.0};
+/// Mean square of trilinear noise with quintic fades between values uniform on -1..1: (181/231)^3 / 3.
+constexpr double kNoiseSquare = 0.160354;
+
+/// One wave of a lattice of distance d has a length near 2.5 d.
+constexpr double kWavesPerSize = 2.0 * core::kPi / 2.5;
+
+/// Dryden's share of the variance at each size, L k / (1 + (L k)^2) per octave, made to sum to 1; as amplitudes.
+std::array<double, kSizes.size()> amplitudes(double length) {
+    std::array<double, kSizes.size()> shares;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kSizes.size(); ++i) {
+        double const lk = length * kWavesPerSize / kSizes[i];
+        shares[i] = lk / (1.0 + lk * lk);
+        sum += shares[i];
+    }
+    for (double& share : shares) share = std::sqrt(share / (sum * kNoiseSquare));
+    return shares;
+}
+
+std::uint64_t hashed(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+    std::uint64_t h = seed ^ static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu ^
+                      static_cast<std::uint64_t>(z) * 0x165667B19E3779F9u;
+    h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9u;
+    return h ^ (h >> 32);
+}
+
+/// Three values uniform on -1..1 at a lattice point.
+glm::dvec3 corner(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
+    std::uint64_t const h = hashed(x, y, z, seed);
+    constexpr double kUnit = 2.0 / 2097151.0;
+    return {static_cast<double>(h & 0x1FFFFFu) * kUnit - 1.0, static_cast<double>((h >> 21) & 0x1FFFFFu) * kUnit - 1.0,
+            static_cast<double>((h >> 42) & 0x1FFFFFu) * kUnit - 1.0};
+}
+
+double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
+glm::dvec3 mixed(glm::dvec3 const& a, glm::dvec3 const& b, double u) { return a + (b - a) * u; }
+
+glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
+    glm::dvec3 const whole{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
+    auto const x = static_cast<std::int64_t>(whole.x), y = static_cast<std::int64_t>(whole.y), z = static_cast<std::int64_t>(whole.z);
+    double const u = fade(p.x - whole.x), v = fade(p.y - whole.y), w = fade(p.z - whole.z);
+    glm::dvec3 const below = mixed(mixed(corner(x, y, z, seed), corner(x + 1, y, z, seed), u),
+                                   mixed(corner(x, y, z + 1, seed), corner(x + 1, y, z + 1, seed), u), w);
+    glm::dvec3 const above = mixed(mixed(corner(x, y + 1, z, seed), corner(x + 1, y + 1, z, seed), u),
+                                   mixed(corner(x, y + 1, z + 1, seed), corner(x + 1, y + 1, z + 1, seed), u), w);
+    return mixed(below, above, v);
+}
+}  // namespace
+
+Gustiness drydenGustiness(double windGround, double height) {
+    double const feet = std::max(height, 3.0) / kFoot;
+    double const low = std::min(feet, kLow);
+    double const root = core::pow(shape(low), 0.4);
+    Gustiness g;
+    g.sigmaVertical = 0.1 * windGround;
+    g.sigmaHorizontal = g.sigmaVertical / root;
+    g.lengthVertical = low * kFoot;
+    g.lengthHorizontal = low * kFoot / (root * root * root);
+    if (feet <= kLow) return g;
+    double const up = std::min((feet - kLow) / (kHigh - kLow), 1.0);
+    double const above = std::max(0.0, (feet - kHigh) * kFoot);
+    double const free = severity(windGround) * core::exp(-above / kFade);
+    auto const toward = [up](double a, double b) { return a + (b - a) * up; };
+    return {toward(g.sigmaHorizontal, free), toward(g.sigmaVertical, free), toward(g.lengthHorizontal, kHighLength * kFoot),
+            toward(g.lengthVertical, kHighLength * kFoot)};
+}
+
+glm::dvec3 gustAt(glm::dvec3 const& point, Gustiness const& g, unsigned seed) {
+    glm::dvec3 gust{0.0};
+    if (g.sigmaHorizontal <= 0.0 && g.sigmaVertical <= 0.0) return gust;
+    auto const across = amplitudes(g.lengthHorizontal), up = amplitudes(g.lengthVertical);
+    for (std::size_t i = 0; i < kSizes.size(); ++i) {
+        double const a = g.sigmaHorizontal * across[i], b = g.sigmaVertical * up[i];
+        if (a * a + b * b < 1e-6) continue;
+        glm::dvec3 const n = noise(point / kSizes[i] + glm::dvec3{0.37 * static_cast<double>(i)}, (std::uint64_t{seed} << 8) + i * 0x9E3779B9u + 1u);
+        gust += glm::dvec3{a * n.x, b * n.y, a * n.z};
+    }
+    return gust;
+}
+}  // namespace luftpost::weather
