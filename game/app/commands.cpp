@@ -2,6 +2,8 @@
 
 namespace luftpost::app {
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
+    addPlayCommand(app, common, chosen);
+    addReplayCommand(app, common, chosen);
     addSkyCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
