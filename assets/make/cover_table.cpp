@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/weather/cloud_column.h"
 #include "engine/weather/cloud_depth.h"
 #include "engine/weather/genera.h"
 #include "engine/weather/noise_volume.h"

@@ -12,6 +12,7 @@
 #include "engine/gl/draw.h"
 #include "engine/gl/program_library.h"
 #include "engine/platform/paths.h"
+#include "engine/render/cloud_pass.h"
 #include "engine/render/composite_pass.h"
 #include "engine/render/exposure_pass.h"
 #include "engine/render/frame_context.h"
@@ -70,6 +71,7 @@ struct Renderer::Parts {
           sky{programs},
           land{wanted.workers},
           terrain{programs},
+          clouds{programs},
           composite{programs},
           exposure{programs},
           models{programs},
@@ -98,6 +100,7 @@ struct Renderer::Parts {
     SkyPass sky;
     LandScene land;
     TerrainPass terrain;
+    CloudPass clouds;
     CompositePass composite;
     ExposurePass exposure;
     ModelPass models;
@@ -144,10 +147,12 @@ void Renderer::draw(Snapshot const& snapshot) {
     auto const pass = [&](char const* name, auto&& draw) { p.timer.pass(name, draw); };
 
     pass("sky tables", [&] { p.sky.draw(context); });
+    pass("cloud shadow", [&] { p.clouds.prepare(context); });
     pass("model shadow", [&] { p.models.drawShadow(context); });
     pass("clear", [&] { p.clear(*p.targets); });
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
+    pass("clouds", [&] { p.clouds.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
@@ -179,6 +184,7 @@ void Renderer::Parts::begin(Snapshot const& snapshot) {
     ++number;
     describeView(snapshot, size, number, history, frame);
     sky.describe(snapshot, frame);
+    clouds.describe(snapshot);
     models.describe(snapshot, frame);
     upload();
     frameBuffer.bindUniform(kFrameBinding);

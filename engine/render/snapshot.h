@@ -10,6 +10,7 @@
 #include "engine/core/frames.h"
 #include "engine/render/graphics_settings.h"
 #include "engine/sky/sky_state.h"
+#include "engine/weather/cloud_settings.h"
 #include "engine/weather/weather.h"
 
 struct ImDrawData;
@@ -72,6 +73,7 @@ struct Snapshot {
     bool drawTerrain = true;
     bool drawClouds = true;
     GraphicsSettings graphics;
+    weather::CloudSettings clouds;
     DebugViews debug;
 
     core::UtcSeconds time = 0.0;               // of the weather's clock

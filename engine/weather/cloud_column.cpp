@@ -15,26 +15,26 @@ constexpr float kClosed = 1.3f;   // every rank is, by far
 /// How a genus is formed; the columns are LayerShape's form and look.
 struct Form {
     float domeWidth, lens, carve, detail;
-    float softness, fray;
+    float softness, fray, variety;
     bool sheet;
     double along, across;  // m, period of the fibres' grain
 };
 constexpr std::array<Form, kGenera> kForms{{
-    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, true, 30000.0, 2600.0},
-    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, true, 3800.0, 2900.0},
-    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, true, 36000.0, 5200.0},
-    /* Ac */ {0.28f, 0.35f, 0.42f, 0.30f, 0.35f, 0.06f, false, 0.0, 0.0},
-    /* As */ {0.12f, 0.40f, 0.16f, 0.10f, 0.60f, 0.05f, false, 0.0, 0.0},
-    /* Ns */ {0.10f, 0.10f, 0.14f, 0.12f, 0.50f, 0.04f, false, 0.0, 0.0},
-    /* Sc */ {0.35f, 0.12f, 0.38f, 0.25f, 0.22f, 0.05f, false, 0.0, 0.0},
-    /* St */ {0.12f, 0.15f, 0.25f, 0.25f, 0.45f, 0.06f, false, 0.0, 0.0},
-    /* Cu */ {0.34f, 0.0f, 0.58f, 0.26f, 0.10f, 0.05f, false, 0.0, 0.0},
-    /* Cb */ {0.36f, 0.0f, 0.46f, 0.22f, 0.08f, 0.04f, false, 0.0, 0.0},
-    /* fog */ {0.12f, 0.0f, 0.20f, 0.10f, 0.80f, 0.06f, false, 0.0, 0.0},
+    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, true, 30000.0, 2600.0},
+    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, true, 3800.0, 2900.0},
+    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, true, 36000.0, 5200.0},
+    /* Ac */ {0.28f, 0.35f, 0.42f, 0.30f, 0.35f, 0.06f, 0.00f, false, 0.0, 0.0},
+    /* As */ {0.12f, 0.40f, 0.16f, 0.10f, 0.60f, 0.05f, 0.00f, false, 0.0, 0.0},
+    /* Ns */ {0.10f, 0.10f, 0.14f, 0.12f, 0.50f, 0.04f, 0.00f, false, 0.0, 0.0},
+    /* Sc */ {0.35f, 0.12f, 0.38f, 0.25f, 0.22f, 0.05f, 0.35f, false, 0.0, 0.0},
+    /* St */ {0.12f, 0.15f, 0.25f, 0.25f, 0.45f, 0.06f, 0.00f, false, 0.0, 0.0},
+    /* Cu */ {0.22f, 0.0f, 0.80f, 0.26f, 0.10f, 0.05f, 0.60f, false, 0.0, 0.0},
+    /* Cb */ {0.36f, 0.0f, 0.46f, 0.22f, 0.08f, 0.04f, 0.35f, false, 0.0, 0.0},
+    /* fog */ {0.12f, 0.0f, 0.20f, 0.10f, 0.80f, 0.06f, 0.00f, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
 
-constexpr double kAnchorPeriod = glsl::kShapePeriod;  // m: the periods of curl and detail divide it
+constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
 constexpr double kDetailPace = 1.08;                  // the detail drifts faster than the clouds it eats at
 constexpr double kDetailRise = 900.0;                 // m/h, the boiling of the edges
@@ -145,7 +145,7 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         if (form.sheet) layFibres(shape, form, LayerPattern{layer, seed}, scale);
         shape.wind = {static_cast<float>(layer.wind.x), static_cast<float>(-layer.wind.y),
                       static_cast<float>(0.02 * layer.wind.x), static_cast<float>(-0.02 * layer.wind.y)};
-        shape.extent = {layer.base + settings.height, std::max(layer.top, layer.base + 20.0f) + settings.height, 1.0f, 0.0f};
+        shape.extent = {layer.base + settings.height, std::max(layer.top, layer.base + 20.0f) + settings.height, 1.0f, form.variety};
     }
     return result;
 }

@@ -20,9 +20,8 @@ public:
     /// The column over a point of the world, m east and north.
     glsl::CloudColumn at(double east, double north) const;
 
-    /// The same for all points: every layer but its rank.
+    /// The same for all points: every layer without its rank (1).
     glsl::CloudColumn const& bare() const { return bare_; }
-
     int layerCount() const { return static_cast<int>(patterns_.size()); }
     LayerPattern const& pattern(int layer) const { return patterns_[static_cast<std::size_t>(layer)]; }
 

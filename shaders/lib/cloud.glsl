@@ -24,17 +24,21 @@ GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
-// What is found at a point: extinction in 1/m, and how deep in the cloud it lies (0 at the edge .. 1), which the light
-// asks for.
+// What is found at a point: extinction in 1/m, and what the light asks for: how deep in the cloud it lies, as optical
+// depth to the nearest face, and how much cloud of the envelope stands above and below, as optical depth.
 struct CloudSample {
     float extinction;
     float depth;
+    float above;
+    float below;
 };
 
 GLSL_FUNCTION CloudSample noCloud() {
     CloudSample none;
     none.extinction = 0.0f;
     none.depth = 0.0f;
+    none.above = 0.0f;
+    none.below = 0.0f;
     return none;
 }
 
@@ -53,10 +57,10 @@ GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
     return c.cover - c.rank + fray * s.look.y * frayWindow(c.cover);
 }
 
-// Share of the layer's height that a cloud reaches at a margin: the quarter of a circle.
+// Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides.
 GLSL_FUNCTION float riseAt(float margin, float width) {
     float x = 1.0f - clamp(margin / width, 0.0f, 1.0f);
-    return sqrt(1.0f - x * x);
+    return 1.0f - x * x;
 }
 
 // Optical depth, straight down, of a sheet of fibres.
@@ -75,10 +79,15 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     return 0.055f * ramp(margin, 0.0f, 0.02f) + full * body * strand;
 }
 
-GLSL_FUNCTION float billowsOf(vec4 shape) { return 0.625f * shape.y + 0.25f * shape.z + 0.125f * shape.w; }
+// The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
+GLSL_FUNCTION float billowOf(vec4 noise) {
+    return clamp((0.30f * noise.x + 0.22f * noise.y + 0.26f * noise.z + 0.22f * noise.w - 0.30f) * 2.4f, 0.0f, 1.0f);
+}
 
-// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole
-// truth; from 2.5 on the detail is left out (its mean is taken).
+// From this lod on the fine things are left out: fraying of the outlines, and the detail, whose mean is taken.
+GLSL_CONST float kCoarseLod = 2.5f;
+
+// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth.
 GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       sampler3D curl, float lod) {
     float thickness = c.top - c.base;
@@ -88,16 +97,21 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     if (s.look.z > 0.5f) {
         float share = above / thickness;
         result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
-        result.depth = 0.2f;
         return result;
     }
-    vec4 plane = planeNoise(curl, s, p, lod);
+    vec4 plane = vec4(0.0f);
+    if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod);
     float margin = layerMargin(c, s, plane.z);
     if (margin <= 0.0f) return result;
 
-    // The envelope: between which heights cloud may stand here.
+    // The envelope: between which heights cloud may stand here. Clouds of a layer are not all of one height.
     float rise = riseAt(margin, s.form.x);
-    float least = min(70.0f / thickness, 1.0f);
+    if (s.extent.w > 0.0f) {
+        float scale = s.anchor.w * (kShapePeriod / 12288.0f);
+        float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
+        rise *= 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
+    }
+    float least = min(45.0f / thickness, 1.0f);
     float low = s.form.y * (1.0f - rise);
     float high = max(max(rise, least), low + least);
     float h = above / thickness;
@@ -106,17 +120,20 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
 
     // Billows: strong toward the top and the sides, none at the base.
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
-    vec4 noise = textureLod(shape, q * s.anchor.w, lod);
-    float billow = clamp(noise.x * 0.75f + billowsOf(noise) * 0.5f - 0.1f, 0.0f, 1.0f);
+    float billow = billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.0f)));
     float guard = smoothstep(0.0f, 0.35f, within);
     float f = 1.0f - within - s.form.z * (1.0f - billow) * guard;
-    result.depth = clamp(f, 0.0f, 1.0f);
     float edge = clamp(f / s.look.x, 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
+    float full = c.water * s.look.w;
+    float tall = (min(high, 1.0f) - low) * thickness;
+    result.depth = full * min(f, 0.5f * rise) * tall;
+    result.above = full * max(1.0f - s.form.z * 0.4f - within, 0.0f) * tall;
+    result.below = full * within * tall;
 
     // Edges: wisps below, billows above.
     float eat = 0.45f;
-    if (lod < 2.5f && edge < 1.0f) {
+    if (lod < kCoarseLod && edge < 1.0f) {
         vec3 turned = q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - within);
         vec4 fine = textureLod(detail, turned * s.detail.w, lod);
         float wisps = 0.625f * fine.x + 0.25f * fine.y + 0.125f * fine.z;
@@ -125,9 +142,26 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     edge = clamp((f - s.form.w * eat * (1.0f - edge) * guard) / s.look.x, 0.0f, 1.0f);
 
     float floorSoft = clamp((above - low * thickness - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
-    float water = c.water * mix(0.55f, 1.1f, h);
-    result.extinction = edge * floorSoft * water * s.look.w;
+    result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, h);
     return result;
+}
+
+// Optical depth, straight down, of one layer's envelope over a point: no noise, so cheap; for what is far from the eye.
+GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s) {
+    float margin = c.cover - c.rank;
+    if (margin <= 0.0f) return 0.0f;
+    float thickness = c.top - c.base;
+    return 0.6f * c.water * s.look.w * thickness * (s.look.z > 0.5f ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, s.form.x));
+}
+
+// Beyond the reach of 3D detail: mean cover and optical depth. The rank is then the coarse one, and the share of the
+// ground under cloud rises softly where it passes below the cover.
+GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
+    float thickness = c.top - c.base;
+    float h = (y - c.base) / thickness;
+    if (h <= 0.0f || h >= 1.0f) return 0.0f;
+    float share = smoothstep(-0.4f, 0.4f, c.cover - c.rank) * clamp(8.0f * c.cover, 0.0f, 1.0f);
+    return 0.08f * share * share * c.water * s.look.w * clamp(4.0f * h, 0.0f, 1.0f) * (1.0f - h * (1.0f - share));
 }
 
 // Extinction of all the clouds at a point, 1/m.

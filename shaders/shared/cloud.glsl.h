@@ -2,6 +2,7 @@
 // Metres above sea level, 1/m, kg/m3. The structs of the block hold vec4s alone: std140 and C++ lay them out alike.
 #ifndef LUFTPOST_CLOUD_GLSL_H
 #define LUFTPOST_CLOUD_GLSL_H
+#include "shaders/shared/block.glsl.h"
 #include "shaders/shared/language.glsl.h"
 GLSL_BEGIN
 
@@ -33,12 +34,39 @@ struct LayerShape {
     vec4 detail;  // the same of the detail volume, which drifts a little faster
     vec4 fibre;   // xy: unit vector along fibres, east and south; z: 1/m along them; w: 1/m across
     vec4 wind;    // xy: m/s east and south; zw: m of skew per m of height, east and south
-    vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: anvil, 0..1
+    vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: how much lower the lowest tops
+                  // are, share of the height
 };
 
 struct CloudShape {
     LayerShape layers[kCloudLayers];
 };
+
+// How a layer's column changes around the camera: a plane fitted to the field, held between what was found. Each vec4:
+// threshold of the rank, base, top, water.
+struct LayerField {
+    vec4 centre;
+    vec4 eastward;   // per m
+    vec4 southward;  // per m
+    vec4 low;
+    vec4 high;
+};
+
+GLSL_CONST int kCloudMapLevels = 3;
+GLSL_CONST int kCloudMapSize = 512;
+GLSL_CONST int kCloudBlockBinding = 5;
+
+UNIFORM_BLOCK(CloudBlock, 5) {
+    LayerShape shapes[kCloudLayers];
+    LayerField fields[kCloudLayers];
+    vec4 mapPlaces[12];       // [level * 4 + layer] xy: m, add to a place (east, south of the camera) to come to the map's
+                              // corner; z: 1 / its width; w: slice + 1, 0 = there is no such map
+    vec4 shadowPlace;         // xy: m, add to a place to come to the shadow map's corner; z: 1 / its width; w: altitude of
+                              // the plane on which it lies
+    vec4 light;               // x: asymmetry g; y: powder; z: 1 = shadows fall
+    ivec4 march;              // x: layers; y: most steps; z: which of the 16 rays of a 4 x 4 block; w: 1 = all rays
+    vec4 step;                // x: m, shortest step; y: step per distance; z: m, reach; w: random offset of this frame, 0..1
+} BLOCK_NAME(clouds);
 
 GLSL_END
 #endif

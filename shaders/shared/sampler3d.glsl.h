@@ -1,5 +1,5 @@
 // In C++ a sampler3D is a view of 8-bit RGBA volumes that somebody else owns (weather/noise_volume.h), read as GLSL
-// reads a texture with linear filtering, linear mipmaps and repetition. In GLSL it is the built-in one.
+// reads a texture with linear filtering, the nearest mipmap and repetition. In GLSL it is the built-in one.
 #ifndef LUFTPOST_SAMPLER3D_GLSL_H
 #define LUFTPOST_SAMPLER3D_GLSL_H
 #include "shaders/shared/language.glsl.h"
@@ -36,12 +36,8 @@ inline vec4 volumeLinear(VolumeLevel const& level, vec3 const& unit) {
 }
 
 inline vec4 textureLod(sampler3D const& volume, vec3 const& unit, float lod) {
-    float const wanted = clamp(lod, 0.0f, static_cast<float>(volume.levelCount - 1));
-    int const fine = static_cast<int>(wanted);
-    float const share = wanted - static_cast<float>(fine);
-    vec4 const here = volumeLinear(volume.levels[fine], unit);
-    if (share == 0.0f) return here * (1.0f / 255.0f);
-    return mix(here, volumeLinear(volume.levels[fine + 1], unit), share) * (1.0f / 255.0f);
+    int const level = static_cast<int>(clamp(lod, 0.0f, static_cast<float>(volume.levelCount - 1)) + 0.5f);
+    return volumeLinear(volume.levels[level], unit) * (1.0f / 255.0f);
 }
 }  // namespace luftpost::glsl
 #endif

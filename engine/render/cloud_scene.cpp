@@ -1,0 +1,154 @@
+#include "engine/render/cloud_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/gl/draw.h"
+#include "engine/platform/paths.h"
+#include "engine/render/cloud_field.h"
+#include "engine/weather/cloud_column.h"
+#include "engine/weather/noise_volume.h"
+
+namespace luftpost::render {
+namespace {
+constexpr unsigned kMapUnit = 10, kShapeUnit = 11, kDetailUnit = 12, kCurlUnit = 13;
+constexpr int kTileBudget = 2;          // tiles uploaded a frame, half a megabyte each
+constexpr float kShortestStep = 26.0f;  // m
+constexpr float kStepPerDistance = 0.014f;
+constexpr float kReach = 390'000.0f;    // m: the horizon of 12 km
+constexpr std::uint64_t kGoldenTurn = 10'368'890;  // of 2^24: the golden ratio's fraction, for the rays' random offset
+
+gl::Texture3D volumeTexture(weather::NoiseVolume const& volume, std::string_view label) {
+    gl::Texture3D texture{gl::Format::rgba8, volume.size(), volume.levelCount(), label};
+    for (int level = 0; level < volume.levelCount(); ++level)
+        texture.upload(std::span<std::uint8_t const>{volume.texels(level)}, level);
+    return texture;
+}
+
+bool sameTrack(weather::Layer const& a, weather::Layer const& b) { return a.pattern == b.pattern && a.genus == b.genus; }
+}  // namespace
+
+CloudScene::CloudScene(gl::ProgramLibrary& programs)
+    : programs_{programs},
+      map_{gl::Format::r16, {weather::kMapSize, weather::kMapSize}, weather::kMapLevels * weather::kMaxLayers, 1, "cloud map"},
+      repeat_{{.minFilter = gl::Filter::linearMipNearest, .wrap = gl::Wrap::repeat}, "cloud noise"},
+      clamp_{{}, "cloud map"},
+      buffer_{sizeof(glsl::CloudBlock), "cloud block"},
+      tiles_{2} {
+    loadVolumes();
+}
+
+void CloudScene::loadVolumes() {
+    weather::NoiseVolumes const noise = weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
+    shape_ = volumeTexture(noise.shape, "cloud shape noise");
+    detail_ = volumeTexture(noise.detail, "cloud detail noise");
+    curl_ = volumeTexture(noise.curl, "cloud curl noise");
+    noiseSeed_ = static_cast<int>(weather::kNoiseSeed);
+}
+
+void CloudScene::remakeVolumes(unsigned seed) {
+    struct Volume {
+        char const* program;
+        gl::Texture3D& texture;
+    };
+    for (Volume const& volume : {Volume{"noise_shape", shape_}, Volume{"noise_detail", detail_}, Volume{"noise_curl", curl_}}) {
+        gl::Program const& program = programs_.compute(volume.program);
+        program.use();
+        program.set("seed", seed);
+        volume.texture.bindImage(0, gl::Access::write);
+        glm::ivec3 const size = volume.texture.size();
+        gl::dispatch({size.x / 8, size.y / 8, size.z});
+        gl::barrier(gl::Barrier::all);
+        volume.texture.generateMipmaps();
+    }
+    noiseSeed_ = static_cast<int>(seed);
+}
+
+/// A layer keeps its slot as long as it lives: the order of layers changes, their maps need not.
+void CloudScene::assignSlots(weather::Weather const& weather) {
+    weather::MapLayers const before = slots_;
+    std::array<bool, weather::kMaxLayers> used{};
+    slots_ = {};
+    slotOfLayer_.fill(-1);
+    auto const put = [&](int layer, std::size_t slot) {
+        used[slot] = true;
+        slotOfLayer_[static_cast<std::size_t>(layer)] = static_cast<int>(slot);
+        slots_[slot] = weather.layers[static_cast<std::size_t>(layer)];
+    };
+    for (int layer = 0; layer < weather.layerCount; ++layer)
+        for (std::size_t slot = 0; slot < before.size(); ++slot)
+            if (!used[slot] && before[slot] && sameTrack(*before[slot], weather.layers[static_cast<std::size_t>(layer)])) {
+                put(layer, slot);
+                break;
+            }
+    for (int layer = 0; layer < weather.layerCount; ++layer)
+        for (std::size_t slot = 0; slot < used.size() && slotOfLayer_[static_cast<std::size_t>(layer)] < 0; ++slot)
+            if (!used[slot]) put(layer, slot);
+}
+
+void CloudScene::takeTiles(int budget) {
+    for (int i = 0; i < budget; ++i) {
+        std::optional<weather::CloudMap::Ready> const ready = tiles_.take();
+        if (!ready) return;
+        int const slice = ready->level * weather::kMaxLayers + ready->slot;
+        map_.uploadLayer(slice, std::span<std::uint16_t const>{ready->tile.ranks});
+        slices_[static_cast<std::size_t>(ready->slot)][static_cast<std::size_t>(ready->level)] = {ready->key, ready->tile.corner};
+    }
+}
+
+void CloudScene::placeMaps(Snapshot const& snapshot) {
+    glm::dvec3 const& camera = snapshot.camera.positionWorld;
+    for (int layer = 0; layer < block_.march.x; ++layer) {
+        weather::Layer const& now = snapshot.weather.layers[static_cast<std::size_t>(layer)];
+        int const slot = slotOfLayer_[static_cast<std::size_t>(layer)];
+        for (int level = 0; level < weather::kMapLevels; ++level) {
+            Slice const& slice = slices_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(level)];
+            bool const fits = slice.key && slice.key->pattern == now.pattern && slice.key->genus == now.genus &&
+                              slice.key->seed == snapshot.seed && slice.key->scale == snapshot.clouds.weatherScale;
+            glm::dvec2 const offset = glm::dvec2{camera.x - now.drift.x, camera.z + now.drift.y} - slice.corner;
+            block_.mapPlaces[level * glsl::kCloudLayers + layer] =
+                glm::vec4{glm::vec2{offset}, 1.0 / weather::kMapWidths[static_cast<std::size_t>(level)],
+                          fits ? static_cast<float>(level * weather::kMaxLayers + slot + 1) : 0.0f};
+        }
+    }
+}
+
+void CloudScene::fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber) {
+    bool const all = snapshot.still || snapshot.clouds.rays > 0.5f || snapshot.camera.projection != Projection::perspective;
+    block_.light = {snapshot.clouds.hg, snapshot.clouds.powder, snapshot.clouds.shadows ? 1.0f : 0.0f, 0.0f};
+    block_.march = {block_.march.x, snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % 16), all ? 1 : 0};
+    float const random = static_cast<float>((frameNumber / 16 * kGoldenTurn) % 16777216u) / 16777216.0f;
+    block_.step = {kShortestStep, kStepPerDistance, kReach, snapshot.still ? 0.0f : random};
+}
+
+void CloudScene::update(Snapshot const& snapshot, std::uint64_t frameNumber) {
+    glm::dvec2 const eastNorth{snapshot.camera.positionWorld.x, -snapshot.camera.positionWorld.z};
+    if (snapshot.clouds.noise != noiseSeed_) remakeVolumes(static_cast<unsigned>(snapshot.clouds.noise));
+    bool const any = snapshot.drawClouds && snapshot.weather.layerCount > 0;
+    block_.march.x = any ? snapshot.weather.layerCount : 0;
+    if (!any) return;
+    assignSlots(snapshot.weather);
+    tiles_.want(slots_, eastNorth, snapshot.seed, snapshot.clouds.weatherScale, snapshot.still);
+    takeTiles(snapshot.still ? weather::kMapLevels * weather::kMaxLayers : kTileBudget);
+    glsl::CloudShape const shape = weather::cloudShape(snapshot.weather, snapshot.seed, eastNorth, snapshot.clouds);
+    std::copy(std::begin(shape.layers), std::end(shape.layers), std::begin(block_.shapes));
+    auto const fields = layerFields(snapshot);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        block_.fields[i] = fields[i];
+        block_.shapes[i].extent.x = fields[i].low.y;
+        block_.shapes[i].extent.y = fields[i].high.z;
+    }
+    placeMaps(snapshot);
+    fillMarch(snapshot, frameNumber);
+}
+
+void CloudScene::bind() const {
+    buffer_.bindUniform(static_cast<unsigned>(glsl::kCloudBlockBinding));
+    map_.bind(kMapUnit);
+    shape_.bind(kShapeUnit);
+    detail_.bind(kDetailUnit);
+    curl_.bind(kCurlUnit);
+    clamp_.bind(kMapUnit);
+    for (unsigned unit : {kShapeUnit, kDetailUnit, kCurlUnit}) repeat_.bind(unit);
+}
+}  // namespace luftpost::render

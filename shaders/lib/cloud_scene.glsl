@@ -1,0 +1,124 @@
+// The clouds around the camera as passes see them: samplers, columns, density, the way toward the light. GLSL alone.
+// Places are flat: x east and z south of the camera, y above sea level.
+#ifndef LUFTPOST_CLOUD_SCENE_GLSL
+#define LUFTPOST_CLOUD_SCENE_GLSL
+#include "shaders/lib/cloud.glsl"
+
+layout(binding = 10) uniform sampler2DArray cloudMap;    // ranks, [level * 4 + layer]
+layout(binding = 11) uniform sampler3D cloudShapeNoise;
+layout(binding = 12) uniform sampler3D cloudDetailNoise;
+layout(binding = 13) uniform sampler3D cloudCurlNoise;
+
+/// Rank and how much of it is the outer level's coarse one.
+vec2 rankAt(int layer, vec2 place) {
+    vec2 sum = vec2(0.0);
+    float left = 1.0;
+    for (int level = 0; level < kCloudMapLevels && left > 0.0; ++level) {
+        vec4 map = clouds.mapPlaces[level * kCloudLayers + layer];
+        if (map.w < 0.5) continue;
+        vec2 uv = (place + map.xy) * map.z;
+        vec2 border = abs(uv - 0.5) * 2.0;
+        bool outer = level == kCloudMapLevels - 1;
+        float inside = outer ? 1.0 : 1.0 - smoothstep(0.80, 0.92, max(border.x, border.y));
+        float weight = left * inside;
+        if (weight <= 0.0) continue;
+        sum += weight * vec2(textureLod(cloudMap, vec3(uv, map.w - 1.0), 0.0).r, outer ? 1.0 : 0.0);
+        left -= weight;
+    }
+    return left < 1.0 ? sum / (1.0 - left) : vec2(1.0, 0.0);
+}
+
+/// The layer's column over a place; `coarse`: share of the outer level in it.
+LayerColumn columnAt(int layer, vec2 place, out float coarse) {
+    LayerField field = clouds.fields[layer];
+    vec4 v = clamp(field.centre + field.eastward * place.x + field.southward * place.y, field.low, field.high);
+    vec2 rank = rankAt(layer, place);
+    coarse = rank.y;
+    return LayerColumn(rank.x, v.x, v.y, v.z, v.w);
+}
+
+CloudSample layerAt(int layer, vec3 p, float lod) {
+    float coarse;
+    LayerColumn column = columnAt(layer, p.xz, coarse);
+    CloudSample near = noCloud();
+    if (coarse < 1.0)
+        near = layerSample(p, column, clouds.shapes[layer], cloudShapeNoise, cloudDetailNoise, cloudCurlNoise, lod);
+    if (coarse <= 0.0) return near;
+    float far = distantExtinction(p.y, column, clouds.shapes[layer]);
+    near.extinction = mix(near.extinction, far, coarse);
+    near.depth = mix(near.depth, 6.0, coarse);
+    near.above = mix(near.above, 12.0 * (column.top - p.y) / (column.top - column.base), coarse);
+    near.below = mix(near.below, 12.0 * (p.y - column.base) / (column.top - column.base), coarse);
+    return near;
+}
+
+bool layerReaches(int layer, float y) {
+    vec4 extent = clouds.shapes[layer].extent;
+    return extent.z > 0.5 && clouds.shapes[layer].look.z < 0.5 && y > extent.x && y < extent.y;
+}
+
+/// All layers with a body (not the sheets of fibres) at a place; depths weighted by extinction.
+CloudSample cloudAt(vec3 p, float lod) {
+    CloudSample sum = noCloud();
+    for (int layer = 0; layer < clouds.march.x; ++layer) {
+        if (!layerReaches(layer, p.y)) continue;
+        CloudSample one = layerAt(layer, p, lod);
+        if (one.extinction <= 0.0) continue;
+        float share = one.extinction / (sum.extinction + one.extinction);
+        sum.depth = max(sum.depth, one.depth);
+        sum.above = mix(sum.above, one.above, share);
+        sum.below = mix(sum.below, one.below, share);
+        sum.extinction += one.extinction;
+    }
+    return sum;
+}
+
+/// Whether there may be cloud at a place: outlines and heights alone, no volumes read.
+bool cloudMayBeAt(vec3 p) {
+    for (int layer = 0; layer < clouds.march.x; ++layer) {
+        if (!layerReaches(layer, p.y)) continue;
+        float coarse;
+        LayerColumn c = columnAt(layer, p.xz, coarse);
+        LayerShape s = clouds.shapes[layer];
+        float margin = c.cover - c.rank + s.look.y + 0.4 * coarse;
+        if (margin <= 0.0 || p.y <= c.base || p.y >= c.top) continue;
+        float rise = max(riseAt(margin, s.form.x), min(70.0 / (c.top - c.base), 1.0) + s.form.y);
+        if (p.y - c.base <= rise * (c.top - c.base) || coarse > 0.0) return true;
+    }
+    return false;
+}
+
+/// Optical depth of the layers that lie wholly above `p`'s own, where a way along `toward` passes them.
+float depthOfLayersAbove(vec3 p, vec3 toward) {
+    float sum = 0.0;
+    for (int layer = 0; layer < clouds.march.x; ++layer) {
+        vec4 extent = clouds.shapes[layer].extent;
+        if (extent.z < 0.5 || extent.x < p.y) continue;
+        float coarse;
+        float up = max(toward.y, 0.08);
+        vec2 place = p.xz + toward.xz * (0.5 * (extent.x + extent.y) - p.y) / up;
+        LayerColumn c = columnAt(layer, place, coarse);
+        sum += envelopeDepth(c, clouds.shapes[layer]) / up;
+    }
+    return sum;
+}
+
+/// Optical depth from `p` toward a light: six samples in a widening cone and a far one, then the layers above.
+float depthToward(vec3 p, vec3 toward, float first, float lod) {
+    vec3 side = normalize(abs(toward.y) < 0.9 ? vec3(toward.z, 0.0, -toward.x) : vec3(1.0, 0.0, 0.0));
+    vec3 other = cross(toward, side);
+    float sum = 0.0;
+    float start = 0.0;
+    float end = first;
+    for (int i = 0; i < 7; ++i) {
+        float at = 0.5 * (start + end);
+        float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
+        vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
+        sum += cloudAt(p + toward * at + sideways, max(kCoarseLod, lod)).extinction * (end - start);
+        start = end;
+        end = i == 5 ? 3.0 * end : 1.9 * end;
+        if (sum > 40.0) break;
+    }
+    return sum;
+}
+#endif
