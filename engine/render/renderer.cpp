@@ -20,6 +20,7 @@
 #include "engine/render/model_pass.h"
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
+#include "engine/render/precipitation_pass.h"
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
@@ -73,6 +74,7 @@ struct Renderer::Parts {
           terrain{programs},
           clouds{programs},
           composite{programs},
+          precipitation{programs},
           exposure{programs},
           models{programs},
           post{programs},
@@ -102,6 +104,7 @@ struct Renderer::Parts {
     TerrainPass terrain;
     CloudPass clouds;
     CompositePass composite;
+    PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
     PostPass post;
@@ -153,6 +156,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
     pass("clouds", [&] { p.clouds.draw(context); });
+    pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });

@@ -38,6 +38,8 @@ sky::AirConditions airConditions(Snapshot const& snapshot) {
     conditions.groundAltitude = snapshot.place.altitude_m;
     if (snapshot.field == nullptr || !snapshot.drawClouds) return conditions;
     conditions.cloudBase = lowestBase(snapshot.weather);
+    if (snapshot.weather.precipitationRate > 0.1 && conditions.cloudBase < 9000.0)  // rain veils all it falls through
+        conditions.fogDepth = std::max(conditions.cloudBase - conditions.groundAltitude, conditions.fogDepth);
     conditions.cover = coverAbove(snapshot.weather, snapshot.camera.positionWorld.y);
     return conditions;
 }

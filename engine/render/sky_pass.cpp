@@ -38,7 +38,8 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
 
 bool SkyPass::airChanged(sky::AirConditions const& now) const {
     return !tables_ || differs(now.visibility, tablesMadeFor_.visibility, 0.02, 0.0) ||
-           differs(now.groundAltitude, tablesMadeFor_.groundAltitude, 0.0, 5.0);
+           differs(now.groundAltitude, tablesMadeFor_.groundAltitude, 0.0, 5.0) ||
+           differs(now.fogDepth, tablesMadeFor_.fogDepth, 0.05, 0.0);
 }
 
 bool SkyPass::viewChanged(View const& now) const {

@@ -13,7 +13,9 @@ constexpr int kMultipleDirections = 4;   // squared
 constexpr int kIrradianceRings = 8, kIrradianceSectors = 8;
 constexpr int kSteps = 24;
 
-constexpr glm::vec3 kRayleigh{7.7e-6f, 12.6e-6f, 24.1e-6f};  // 1/m at sea level
+// 1/m at sea level. The ratios are those of Rayleigh-scattered sunlight in Rec. 709 (chromaticity 0.24, 0.24) to
+// sunlight itself: Rec. 709's negative lobes make them steeper than the wavelengths of its primaries would.
+constexpr glm::vec3 kRayleigh{7.1e-6f, 12.2e-6f, 25.5e-6f};
 constexpr glm::vec3 kOzone{2.47e-6f, 1.56e-6f, 0.27e-6f};    // 1/m at 25 km
 constexpr double kCleanestHaze = 3.0e-6;                     // 1/m: no air near the ground is cleaner
 constexpr double kThickestHaze = 3.0 / 12000.0;              // 1/m
@@ -52,7 +54,7 @@ glsl::Atmosphere atmosphere(AirConditions const& conditions) {
     air.rayleigh = glm::vec4{kRayleigh, 8000.0f};
     air.haze = glm::vec4{hazeColour(f(haze)), 1800.0f};
     air.ozone = glm::vec4{kOzone, 0.76f};
-    air.fog = glm::vec4{f(fog), 220.0f, f(conditions.groundAltitude), 0.94f};
+    air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), 0.94f};
     air.cover = glm::vec4{f(conditions.cloudBase), f(direct), f(diffuse), 0.0f};
     air.ground = glm::vec4{0.0f, 0.0f, 0.0f, f(conditions.groundAlbedo)};
     return air;

@@ -13,6 +13,7 @@ namespace luftpost::sky {
 struct AirConditions {
     double visibility = 6.0e4;       // m, 5 % contrast, near the ground
     double groundAltitude = 0.0;     // m above sea level: where haze and fog lie
+    double fogDepth = 220.0;         // m: scale height of what is thicker than haze
     double cloudBase = 1.0e5;        // m above sea level: of the clouds that `cover` counts
     double cover = 0.0;              // 0..1: share of the sky under cloud, each layer weighed by how dense it is
     double groundAlbedo = 0.18;      // of the land around

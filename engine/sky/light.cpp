@@ -30,7 +30,7 @@ glm::vec3 groundColour(double albedo) { return glm::vec3{1.0f, 1.03f, 0.72f} * s
 float luminance(glm::vec3 const& rgb) { return glm::dot(rgb, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 
 glm::vec3 airglowRadiance() {
-    return glm::vec3{0.95f, 1.0f, 0.9f} * static_cast<float>(2.0e-4 / kSunIlluminance_lx);
+    return glm::vec3{0.8f, 1.0f, 1.25f} * static_cast<float>(2.0e-4 / kSunIlluminance_lx);
 }
 
 glm::vec3 moonIrradiance(SkyState const& state) {

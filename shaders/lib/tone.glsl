@@ -16,14 +16,14 @@ GLSL_FUNCTION float toneChannel(float x) {
 }
 
 /// Exposed linear Rec. 709 -> display-linear 0..1. Before the curve each channel lends a little to the others, so that
-/// bright colours go to white by way of paler shades of themselves rather than turn yellow or cyan; after it most of
-/// that is taken back, so that dark colours keep their saturation.
+/// bright colours go to white by way of paler shades of themselves rather than turn yellow or cyan; after it
+/// more than that is taken back, as cameras do: a clear sky is bluer in every photograph than its luminances say.
 GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
     float mean = (exposed.x + exposed.y + exposed.z) / 3.0f;
-    vec3 lent = mix(exposed, vec3(mean), vec3(0.15f));
+    vec3 lent = mix(exposed, vec3(mean), vec3(0.10f));
     vec3 curved = vec3(toneChannel(lent.x), toneChannel(lent.y), toneChannel(lent.z));
     float curvedMean = (curved.x + curved.y + curved.z) / 3.0f;
-    return clamp(mix(curved, vec3(curvedMean), vec3(-0.12f)), vec3(0.0f), vec3(1.0f));
+    return clamp(mix(curved, vec3(curvedMean), vec3(-0.32f)), vec3(0.0f), vec3(1.0f));
 }
 
 /// Linear -> sRGB (IEC 61966-2-1).

@@ -1,0 +1,129 @@
+// `luftpost sky` through the command line: stills, their formats, and what it refuses.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code = -1;
+    std::string errors;
+};
+
+fs::path const& folder() {
+    static fs::path const made = [] {
+        fs::path const path = fs::temp_directory_path() / ("luftpost_sky_" + std::to_string(::getpid()));
+        fs::create_directories(path);
+        return path;
+    }();
+    return made;
+}
+
+Outcome run(std::string const& arguments) {
+    std::string const errors = (folder() / "errors.txt").string();
+    int const status = std::system((std::string{LUFTPOST_PROGRAM} + " sky " + arguments + " 2>" + errors).c_str());
+    std::ifstream in{errors};
+    return {WEXITSTATUS(status), {std::istreambuf_iterator<char>{in}, {}}};
+}
+
+struct Picture {
+    int width = 0, height = 0, channels = 0;
+    bool isFloat = false;
+    std::vector<float> values;
+    float at(int x, int y, int channel) const {
+        return values[static_cast<std::size_t>((y * width + x) * channels + channel)];
+    }
+};
+
+Picture picture(std::string const& name) {
+    auto const in = OIIO::ImageInput::open((folder() / name).string());
+    if (!in) return {};
+    OIIO::ImageSpec const& spec = in->spec();
+    Picture image{spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::FLOAT, {}};
+    image.values.resize(static_cast<std::size_t>(spec.width * spec.height * spec.nchannels));
+    in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data());
+    return image;
+}
+
+std::string still(std::string const& name, std::string const& options, std::string const& size = "64x36") {
+    return "--weather preset:clear --place 47.5,7.5 --size " + size + " " + options + " -o " + (folder() / name).string();
+}
+
+TEST(SkyCommand, DrawsAFloatPictureWhoseUnitIsTheSunAboveTheAir) {
+    ASSERT_EQ(run(still("noon.exr", "--time 2023-06-21T11:30Z --look 0,60")).code, 0);
+    Picture const image = picture("noon.exr");
+    ASSERT_EQ(image.width, 64);
+    ASSERT_EQ(image.height, 36);
+    ASSERT_EQ(image.channels, 4);
+    EXPECT_TRUE(image.isFloat);
+    float const luminance = 0.2126f * image.at(32, 18, 0) + 0.7152f * image.at(32, 18, 1) + 0.0722f * image.at(32, 18, 2);
+    EXPECT_GT(luminance, 0.01f);  // 1.3 kcd/m2
+    EXPECT_LT(luminance, 0.06f);
+    EXPECT_GT(image.at(32, 18, 2), 1.7f * image.at(32, 18, 0));
+}
+
+TEST(SkyCommand, DrawsTheSameBytesTwice) {
+    ASSERT_EQ(run(still("a.png", "--time 2023-06-21T18:40Z --look 300,10")).code, 0);
+    ASSERT_EQ(run(still("b.png", "--time 2023-06-21T18:40Z --look 300,10")).code, 0);
+    EXPECT_EQ(picture("a.png").values, picture("b.png").values);
+    EXPECT_EQ(picture("a.png").height, 36);
+}
+
+TEST(SkyCommand, DarkensFromNoonToDuskAndShowsWhatTheExposureAsksFor) {
+    ASSERT_EQ(run(still("dusk.exr", "--time 2023-06-21T20:10Z --look 310,30")).code, 0);
+    ASSERT_EQ(run(still("day.exr", "--time 2023-06-21T11:30Z --look 310,30")).code, 0);
+    EXPECT_LT(picture("dusk.exr").at(32, 18, 1), 0.01f * picture("day.exr").at(32, 18, 1));
+    ASSERT_EQ(run(still("bright.png", "--time 2023-06-21T11:30Z --look 0,60 --exposure 1")).code, 0);
+    ASSERT_EQ(run(still("dim.png", "--time 2023-06-21T11:30Z --look 0,60 --exposure -1")).code, 0);
+    EXPECT_GT(picture("bright.png").at(32, 18, 1), 1.3f * picture("dim.png").at(32, 18, 1));
+}
+
+TEST(SkyCommand, PutsTheSunIntoThePanoramaByItsAzimuthAndElevation) {
+    ASSERT_EQ(run(still("round.exr", "--time 2023-06-21T11:30Z --panorama", "180x90")).code, 0);
+    Picture const image = picture("round.exr");
+    int bestX = 0, bestY = 0;
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 180; ++x)
+            if (image.at(x, y, 1) > image.at(bestX, bestY, 1)) bestX = x, bestY = y;
+    EXPECT_NEAR(bestX, 90, 3);  // south, a moment after noon: 180 degrees of 360
+    EXPECT_NEAR(bestY, 12, 3);  // 66 degrees up
+}
+
+TEST(SkyCommand, LeavesTheOutsideOfTheDomeBlackAndEmpty) {
+    ASSERT_EQ(run(still("dome.exr", "--time 2023-06-21T11:30Z --dome", "64x64")).code, 0);
+    Picture const image = picture("dome.exr");
+    for (int channel = 0; channel < 4; ++channel) EXPECT_EQ(image.at(1, 1, channel), 0.0f);
+    EXPECT_GT(image.at(32, 32, 2), image.at(32, 32, 0));
+    EXPECT_GT(image.at(32, 32, 0), 0.0f);
+}
+
+TEST(SkyCommand, NumbersThePicturesOfATimeLapse) {
+    ASSERT_EQ(run(still("lapse.exr", "--time 2023-06-21T19:00Z --look 90,20 --frames 2:3 --step 900")).code, 0);
+    EXPECT_LT(picture("lapse_0003.exr").at(32, 18, 1), picture("lapse_0002.exr").at(32, 18, 1));
+    EXPECT_FALSE(fs::exists(folder() / "lapse.exr"));
+}
+
+TEST(SkyCommand, RefusesWhatItCannotDrawInOneLine) {
+    std::string const output = " -o " + (folder() / "no.png").string();
+    for (std::string const& arguments :
+         {std::string{"--look 10"} + output, "--look 10,95" + output, "--look a,b" + output, "--fov 0" + output,
+          "--fov 200" + output, "--fov nan" + output, "--size 0x10" + output, "--size 20000x10" + output,
+          "--panorama --dome" + output, "--panorama --look 1,1" + output, "--frames 3:1" + output, "--frames 3" + output,
+          "--step 10" + output, "--exposure x" + output, "--time 2023-06-21" + output, "--weather preset:nice" + output,
+          "--place 95,0" + output, "--unheard-of" + output, std::string{}, std::string{"-o /no/such/folder/a.png"},
+          "-o " + (folder() / "a.jpg").string(), std::string{"-o /tmp"}}) {
+        Outcome const outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << arguments << "\n" << outcome.errors;
+        EXPECT_FALSE(fs::exists(folder() / "no.png")) << arguments;
+    }
+}
+}  // namespace
