@@ -315,8 +315,8 @@ def fin_piece(spans, le, te, x_from, x_to, origin, nose=False):
 
 
 # --- wheels, struts, propeller --------------------------------------------------------------------------------
-MAIN = (-0.32, -1.12, 1.18)   # middle of the right main wheel
-FRONT = (1.28, -1.14, 0.0)
+MAIN = (-0.40, -0.97, 1.28)   # middle of the right main wheel: its tyre stands where the airframe has the wheel
+FRONT = (1.30, -1.07, 0.0)
 TYRE = {"main": (0.33, 0.125), "nose": (0.27, 0.10)}  # outer radius, half width
 
 
@@ -339,14 +339,14 @@ def wheel(radius, width):
 def undercarriage():
     fixed = Mesh()
     leg = Mesh()
-    root, knee = (-0.10, -0.56, 0.36), (-0.26, -0.98, 0.98)
+    root = (-0.16, -0.54, 0.36)
     path = [add(mul(root, 1 - t), mul(add(MAIN, (0.0, 0.02, -0.16)), t)) for t in (0.0, 0.2, 0.4, 0.6, 0.8, 1.0)]
     path = [add(p, (0.0, 0.05 * math.sin(math.pi * t), 0.0)) for p, t in zip(path, (0.0, 0.2, 0.4, 0.6, 0.8, 1.0))]
     leg.tube(path, [0.085, 0.078, 0.07, 0.064, 0.058, 0.052], "skin_yellow", sides=10, flat=0.42, up=(0.0, 1.0, 0.35))
     leg.tube([add(MAIN, (0, 0, -0.18)), add(MAIN, (0, 0, 0.10))], 0.035, "silver", sides=10)
     fixed.extend(leg).extend(leg.mirrored())
-    top = (1.20, -0.50, 0.0)
-    fixed.tube([top, add(FRONT, (-0.02, 0.36, 0.0))], 0.05, "skin_yellow", sides=12)
+    top = (1.24, -0.50, 0.0)
+    fixed.tube([top, add(FRONT, (-0.02, 0.37, 0.0))], 0.05, "skin_yellow", sides=12)
     fixed.tube([add(FRONT, (-0.02, 0.38, 0.0)), add(FRONT, (0.0, 0.28, 0.0))], 0.032, "silver", sides=10)
     for side in (-1, 1):
         fixed.tube([add(FRONT, (0.0, 0.29, 0.0)), add(FRONT, (0.0, 0.25, side * 0.13)), add(FRONT, (0.0, 0.0, side * 0.13))],
@@ -371,7 +371,7 @@ def struts():
 
 
 PROPELLER = (2.27, -0.02, 0.0)
-BLADE = 0.97
+BLADE = 0.9525
 
 
 def propeller():

@@ -98,7 +98,7 @@ def engine():
 def propeller():
     """Two blades at 2400 rpm: 80 passes a second, with the tearing of the tips. 1 s."""
     count, passes = RATE, 80
-    tone = [sum(math.sin(TAU * passes * h * i / count + 0.7 * h * h) / h ** 1.25 for h in range(1, 22)) for i in range(count)]
+    tone = [sum(math.sin(TAU * passes * h * i / count + 0.7 * h * h) / h ** 1.6 for h in range(1, 22)) for i in range(count)]
     tear = [n * max(0.0, math.cos(TAU * passes * i / count)) ** 3 for i, n in enumerate(band(white(count, 21), 700, 4200, ring=True))]
     save("propeller", mix((1.0, normal(tone)), (0.42, normal(tear))), 0.80)
 
@@ -154,7 +154,7 @@ def shot(seconds, at, seed=0):
     count = int(seconds * RATE)
     samples = [at(i / RATE, source) for i in range(count)]
     fade = int(0.02 * RATE)
-    return [s * min(1.0, (count - i) / fade) for i, s in enumerate(samples)]
+    return [s * min(1.0, (count - i) / fade, i / 24) for i, s in enumerate(samples)]
 
 
 def chute():
@@ -194,7 +194,7 @@ def horn_note(t, start, seconds, pitch):
     if t < 0 or t > seconds + 0.25:
         return 0.0
     swell = min(1.0, t / 0.035) * (1.0 if t < seconds else math.exp(-(t - seconds) / 0.06))
-    bright = 0.55 + 0.45 * min(1.0, t / 0.09)
+    bright = 0.45 + 0.36 * min(1.0, t / 0.09)
     vibrato = 0.004 * math.sin(TAU * 5.2 * t) * min(1.0, t / 0.3)
     return swell * sum(bright ** h * math.sin(TAU * pitch * h * (t + vibrato / TAU) + 0.2 * h) / h ** 0.8 for h in range(1, 12))
 

@@ -43,7 +43,6 @@ struct AudioState {
     bool paused = false;
     glm::dvec3 listenerWorld{0.0};
     glm::dquat worldFromListener{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 listenerVelocityWorld{0.0};
     glm::dvec3 aircraftWorld{0.0};
     std::vector<SoundEvent> events;  // that began in this frame
 };
