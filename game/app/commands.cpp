@@ -5,5 +5,6 @@ void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addPlayCommand(app, common, chosen);
     addReplayCommand(app, common, chosen);
     addSkyCommand(app, common, chosen);
+    addTerrainCommand(app, common, chosen);
 }
 }  // namespace luftpost::app

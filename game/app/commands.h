@@ -44,6 +44,8 @@ void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen
 
 void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
+void addTerrainCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+
 /// Adds every command (commands.cpp: one line each).
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 }  // namespace luftpost::app
