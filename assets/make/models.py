@@ -9,7 +9,8 @@ about an axis of their own:
     rudder                             y   (+ trailing edge to the RIGHT)
     wheel_left/right, wheel_nose       z   (- rolling forward)
     yoke_left/right                    x   (+ turned right)
-`exterior_*` nodes may be hidden for the view from the seat, `interior_*` stay; `glass` is drawn last, blended.
+`propeller` holds the blades alone, to be hidden for `propeller_disc` at speed; `spinner` stays. From the seat
+`exterior_fuselage` and `pilot` may be hidden: `interior_cabin` and `cowling` stay. `glass` is blended.
 """
 import math
 import os
@@ -117,10 +118,14 @@ def fuselage():
     rows = [fuselage_ring(x, lean) for x, lean in STATIONS]
     count = SILL + len(UPPER)
     uv = lambda p, i, j: livery.side_uv(p, right=j < count - 1)
-    skin, glass = Mesh(), Mesh()
-    pick = lambda wanted: lambda i, j: fuselage_material(i, j) if (fuselage_material(i, j) == "glass") == wanted else None
-    skin.grid(rows, pick(False), closed=True, uv=uv)
-    glass.grid(rows, pick(True), closed=True)
+    skin, glass, cowl = Mesh(), Mesh(), Mesh()
+
+    def part(i, j):
+        which = fuselage_material(i, j)
+        return "glass" if which == "glass" else "cowl" if STATIONS[i + 1][0] >= FIREWALL else "skin"
+    pick = lambda wanted: lambda i, j: fuselage_material(i, j) if part(i, j) == wanted else None
+    for mesh, wanted in ((skin, "skin"), (cowl, "cowl"), (glass, "glass")):
+        mesh.grid(rows, pick(wanted), closed=True, uv=uv)
     skin.fan(rows[-1], "skin", (-1.0, 0.0, 0.0), uv=lambda p: livery.side_uv(p, True))
     # The inside of the cabin, seen from the seat: the same skin turned inward, without the panes.
     cabin = Mesh()
@@ -129,7 +134,7 @@ def fuselage():
     shell = [fuselage_ring(x, lean, 0.02) for x, lean in inner]
     cabin.grid(shell, lambda i, j: None if fuselage_material(first + i, j) == "glass" else
                ("lining" if fuselage_material(first + i, j) == "skin" else "trim"), closed=True, inward=True)
-    return skin, glass, cabin
+    return skin, cowl, glass, cabin
 
 
 # --- wings and tail -------------------------------------------------------------------------------------------
@@ -375,8 +380,8 @@ BLADE = 0.9525
 
 
 def propeller():
-    mesh = Mesh()
-    mesh.lathe([(0.30, 0.001), (0.295, 0.025), (0.27, 0.065), (0.20, 0.112), (0.10, 0.142), (0.0, 0.152), (-0.08, 0.152), (-0.081, 0.001)],
+    mesh, spinner = Mesh(), Mesh()
+    spinner.lathe([(0.30, 0.001), (0.295, 0.025), (0.27, 0.065), (0.20, 0.112), (0.10, 0.142), (0.0, 0.152), (-0.08, 0.152), (-0.081, 0.001)],
                "red", axis=0, sides=28)
     for turn in (0.0, math.pi):
         rows, tips = [], []
@@ -401,7 +406,7 @@ def propeller():
             ring = [(0.03, near * math.cos(a), near * math.sin(a)), (0.03, far * math.cos(a), far * math.sin(a)),
                     (0.03, far * math.cos(b), far * math.sin(b)), (0.03, near * math.cos(b), near * math.sin(b))]
             disc.quad(ring, material)
-    return Node("propeller", mesh, at=PROPELLER), Node("propeller_disc", disc, at=PROPELLER)
+    return Node("propeller", mesh, at=PROPELLER), Node("propeller_disc", disc, at=PROPELLER), Node("spinner", spinner, at=PROPELLER)
 
 
 def cowling():
@@ -578,18 +583,18 @@ PLANE_MATERIALS = {
 
 
 def plane():
-    skin, glass, cabin = fuselage()
+    skin, cowl, glass, cabin = fuselage()
     wing_mesh, wing_nodes = wings()
     stab, elevator = tailplane()
     fin_mesh, rudder = fin()
     gear, wheels = undercarriage()
-    turning, disc = propeller()
-    outside = Mesh().extend(skin).extend(cowling()).extend(fin_mesh)
+    turning, disc, spinner = propeller()
+    outside = Mesh().extend(skin).extend(fin_mesh)
     surfaces = Mesh().extend(wing_mesh).extend(stab).extend(struts()).extend(gear).extend(lights())
     inside = Mesh().extend(cabin).extend(cockpit())
-    roots = [Node("exterior_fuselage", outside), Node("exterior_wings", surfaces), Node("interior_cabin", inside),
+    roots = [Node("exterior_fuselage", outside), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside),
              Node("pilot", pilot()), Node("yoke_left", yoke(), at=(0.58, 0.10, -0.27)), Node("yoke_right", yoke(), at=(0.58, 0.10, 0.27)),
-             *wing_nodes, elevator, rudder, *wheels, turning, disc, Node("glass", glass)]
+             *wing_nodes, elevator, rudder, *wheels, turning, spinner, disc, Node("glass", glass)]
     writer = Writer(PLANE_MATERIALS, {"side": livery.side_png(), "wing": livery.wing_png()})
     writer.save(os.path.join(OUT, "plane.glb"), [Node("plane", children=roots)])
 

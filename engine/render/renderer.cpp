@@ -70,9 +70,9 @@ struct Renderer::Parts {
     explicit Parts(RendererOptions const& wanted)
         : options{wanted},
           sky{programs},
+          clouds{programs},
           land{wanted.workers},
           terrain{programs},
-          clouds{programs},
           composite{programs},
           precipitation{programs},
           exposure{programs},
@@ -100,9 +100,9 @@ struct Renderer::Parts {
     std::vector<PassTime> times;
 
     SkyPass sky;
+    CloudPass clouds;
     LandScene land;
     TerrainPass terrain;
-    CloudPass clouds;
     CompositePass composite;
     PrecipitationPass precipitation;
     ExposurePass exposure;

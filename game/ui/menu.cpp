@@ -29,7 +29,7 @@ struct Page {
     std::string_view group, title;
 };
 constexpr std::array<Page, 6> kPages{{{"aircraft", "Aircraft"}, {"clouds", "Clouds"}, {"graphics", "Picture"}, {"sound", "Sound"},
-                                      {"hud", "HUD"}, {"input", "Controls"}}};
+                                      {"hud", "HUD"}, {"controls", "Controls"}}};
 
 std::string capitalised(std::string_view text) {
     std::string result{text};

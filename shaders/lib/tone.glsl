@@ -23,7 +23,7 @@ GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
     vec3 lent = mix(exposed, vec3(mean), vec3(0.10f));
     vec3 curved = vec3(toneChannel(lent.x), toneChannel(lent.y), toneChannel(lent.z));
     float curvedMean = (curved.x + curved.y + curved.z) / 3.0f;
-    return clamp(mix(curved, vec3(curvedMean), vec3(-0.32f)), vec3(0.0f), vec3(1.0f));
+    return clamp(mix(curved, vec3(curvedMean), vec3(-0.25f)), vec3(0.0f), vec3(1.0f));
 }
 
 /// Linear -> sRGB (IEC 61966-2-1).

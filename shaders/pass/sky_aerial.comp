@@ -30,7 +30,8 @@ void main() {
             sun = throughSlice(sun, sky.lights.sun.xyz, direction, h, start, end);
             if (sky.skyCamera.y > 0.0) moon = throughSlice(moon, sky.lights.moon.xyz, direction, h, start, end);
         }
-        vec3 radiance = sun.radiance * sky.lights.sunLight.rgb + moon.radiance * sky.lights.moonLight.rgb;
+        vec3 radiance = sun.radiance * sky.lights.sunLight.rgb + moon.radiance * sky.lights.moonLight.rgb +
+                        0.6 * sky.airglow.rgb * (1.0 - sun.transmittance);
         imageStore(radianceTable, ivec3(column, slice), vec4(radiance, 1.0));
         imageStore(transmittanceTable, ivec3(column, slice), vec4(sun.transmittance, 1.0));
         start = end;

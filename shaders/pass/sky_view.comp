@@ -26,5 +26,6 @@ void main() {
     if (sky.skyCamera.y > 0.0)
         radiance += lightFrom(sky.lights.moon.xyz, direction, h).radiance * sky.lights.moonLight.rgb;
     vec3 behind = distanceInward(h, direction.y, 0.0) >= 0.0 ? sky.air.ground.rgb : airglowAlong(direction.y);
-    imageStore(table, texel, vec4(radiance + light.transmittance * behind, 1.0));
+    vec3 astray = 0.6 * sky.airglow.rgb * (1.0 - light.transmittance);  // of the airglow, by the air below it
+    imageStore(table, texel, vec4(radiance + light.transmittance * behind + astray, 1.0));
 }

@@ -5,7 +5,7 @@
 #include "shaders/shared/block.glsl.h"
 GLSL_BEGIN
 
-GLSL_CONST int kSkyBlockBinding = 4;
+GLSL_CONST int kSkyBlockBinding = 9;
 // Texture units of the sky's tables: transmittance, multiple scattering, sky view, aerial radiance and transmittance.
 GLSL_CONST int kSkyTransmittanceUnit = 20;
 GLSL_CONST int kSkyMultipleUnit = 21;
@@ -13,7 +13,7 @@ GLSL_CONST int kSkyViewUnit = 22;
 GLSL_CONST int kSkyAerialUnit = 23;
 GLSL_CONST int kSkyAerialThroughUnit = 24;
 
-UNIFORM_BLOCK(SkyBlock, 4) {
+UNIFORM_BLOCK(SkyBlock, 9) {
     Atmosphere air;
     SkyLights lights;
     vec4 skyCamera;           // x: altitude in m when the tables were made; y: 1: the moon is in them; z: 1: stars show

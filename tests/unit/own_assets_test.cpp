@@ -61,7 +61,7 @@ TEST(PlaneModel, HasTheSizeOfABushPlaneAndItsDatumAtTheOrigin) {
 
 TEST(PlaneModel, HasTheMovingNodesWithTheirPivots) {
     assets::Model const plane = model("plane");
-    for (char const* name : {"propeller", "propeller_disc", "aileron_left", "aileron_right", "elevator", "rudder", "flap_left", "flap_right",
+    for (char const* name : {"propeller", "propeller_disc", "spinner", "cowling", "aileron_left", "aileron_right", "elevator", "rudder", "flap_left", "flap_right",
                              "wheel_left", "wheel_right", "wheel_nose", "yoke_left", "yoke_right", "pilot", "glass"}) {
         int const node = nodeIndex(plane, name);
         ASSERT_GE(node, 0) << name;
@@ -96,7 +96,7 @@ TEST(PlaneModel, StandsOnTheWheelsOfTheAirframe) {
 TEST(PlaneModel, LeavesThePilotAFreeViewAhead) {
     assets::Model const plane = model("plane");
     glm::vec3 const eye{ui::kPilotEyeBody};
-    for (char const* name : {"interior_cabin", "exterior_fuselage"}) {
+    for (char const* name : {"interior_cabin", "exterior_fuselage", "cowling"}) {
         int const node = nodeIndex(plane, name);
         ASSERT_GE(node, 0) << name;
         for (int p : plane.nodes[static_cast<std::size_t>(node)].primitives)
