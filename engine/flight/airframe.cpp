@@ -288,6 +288,8 @@ Airframe parseAirframe(std::string const& text, std::string const& name) {
         json = Json::parse(text);
     } catch (Json::parse_error const& error) {
         throw core::Error{name, fmt::format("byte {}", error.byte), "expected JSON"};
+    } catch (Json::exception const&) {
+        throw core::Error{name, "", "expected JSON whose numbers a double holds"};
     }
     Reader in{json, name, ""};
     Airframe frame;

@@ -53,10 +53,15 @@ double stallAlpha(Flight const& f) {
     return least;
 }
 
+/// Close above the ground with the lever back one means to land: a height held there would end in a stall.
+bool landing(Flight const& f) { return f.now.height < kFlareHeight && f.stick.throttle < 0.2; }
+/// The soft path down: the sink that the height allows.
+double landingPath(Flight const& f) { return -(0.5 + 0.2 * std::max(f.now.height, 0.0)) / f.speed; }
+
 /// Elevator that flies the load factor `wanted`, never past the stall.
 double elevatorForLoad(Flight const& f, double wanted, AssistMemory& memory) {
     double const slope = loadFactorSlope(f);
-    double const guard = stallAlpha(f) - radiansOf(0.5);
+    double const guard = stallAlpha(f) + radiansOf(f.now.height < kFlareHeight ? 0.8 : -0.5);
     double const alpha = std::clamp(f.now.alpha + (std::clamp(wanted, -1.5, 4.5) - f.now.loadFactor) / slope,
                                     radiansOf(-10.0), guard);
     double const load = f.now.loadFactor + (alpha - f.now.alpha) * slope;
@@ -192,9 +197,17 @@ SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
         memory.holdsAltitude = 1.0;
         memory.heldAltitude = f.state.positionWorld.y + f.state.velocityWorld.y;
     }
-    double const path = memory.holdsAltitude > 0.0 ? angleToAltitude(f, memory.heldAltitude, radiansOf(6.0))
-                                                   : memory.climbAngle;
-    out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path) + pull), memory);
+    double path = memory.holdsAltitude > 0.0 ? angleToAltitude(f, memory.heldAltitude, radiansOf(6.0))
+                                             : memory.climbAngle;
+    if (landing(f) && f.stick.elevator > -kStickFree) {
+        path = landingPath(f);
+        memory.holdsAltitude = 0.0;
+        memory.climbAngle = path;
+    }
+    double load = guardedLoad(f, loadForPath(f, path) + pull);
+    // A pull softens the landing, but does not carry the aircraft up again to where it would drop from.
+    if (landing(f)) load = std::min(load, loadForPath(f, 0.6 * landingPath(f), 0.4));
+    out.elevator = elevatorForLoad(f, load, memory);
     out.rudder = rudderForTurn(f, f.stick.rudder, memory);
     return out;
 }
@@ -231,7 +244,7 @@ double easyRollRate(Flight const& f, AssistMemory& memory) {
 
 /// The path that easy flies: the stick's climb, else the altitude where it was let go; a soft arrival near
 /// the ground.
-double easyClimbAngle(Flight const& f, bool landing, AssistMemory& memory) {
+double easyClimbAngle(Flight const& f, AssistMemory& memory) {
     if (std::abs(f.stick.elevator) >= kStickFree) {
         double const wanted = f.stick.elevator * kEasyClimb,
                      step = radiansOf(f.settings.pitchSpeed_dps) * f.dt;
@@ -244,11 +257,8 @@ double easyClimbAngle(Flight const& f, bool landing, AssistMemory& memory) {
         memory.climbAngle = angleToAltitude(f, memory.heldAltitude, kEasyClimb);
     }
     double path = memory.climbAngle;
-    if (f.now.height <
-        kFlareHeight) {  // the sink that the height allows; with the lever back it lands by itself
-        double const sink = -(0.5 + 0.2 * std::max(f.now.height, 0.0)) / f.speed;
-        path = landing && memory.holdsAltitude > 0.0 ? sink : std::max(path, sink);
-    }
+    if (f.now.height < kFlareHeight) path = std::max(path, landingPath(f));
+    if (landing(f) && memory.holdsAltitude > 0.0) path = landingPath(f);
     return path;
 }
 
@@ -256,11 +266,10 @@ SurfaceCommands easyCommands(Flight const& f, AssistMemory& memory) {
     SurfaceCommands out = f.stick;
     out.aileron =
         aileronForRate(f, guardedRollRate(easyRollRate(f, memory), f.now.roll, kNormalBankLimit), memory);
-    bool const landing = f.now.height < kFlareHeight && f.stick.throttle < 0.1;
-    double const path = easyClimbAngle(f, landing, memory);
+    double const path = easyClimbAngle(f, memory);
     out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path)), memory);
     out.rudder = rudderForTurn(f, f.stick.rudder, memory);
-    out.throttle = landing ? 0.0 : throttleForSpeed(f, path, memory);
+    out.throttle = landing(f) ? 0.0 : throttleForSpeed(f, path, memory);
     return out;
 }
 

@@ -128,6 +128,27 @@ TEST(Assist, EasyLandsByItselfWithTheLeverBack) {
     EXPECT_LT(flight.now().groundSpeed, 1.0);
 }
 
+TEST(Assist, NormalLandsByAPlainFlare) {
+    TestFlight flight{AssistLevel::normal};
+    flight.wind = {2.0, 0.0, 3.0};
+    flight.inAir(100.0, 36.0);
+    flight.fly(120.0, [&](double) {
+        Readings const& now = flight.now();
+        flight.stick = Controls{.throttle = now.height > 7.0 ? 0.35 : 0.1, .flaps = 1.0};
+        if (now.onGround)
+            flight.stick = Controls{.flaps = 1.0, .brakes = 0.7};
+        else if (now.height > 7.0)
+            flight.stick.elevator = now.climb > -2.2 ? -0.1 : 0.0;
+        else
+            flight.stick.elevator = now.climb < -0.7 ? 0.35 : 0.0;
+        return !flight.state().crashed() && !(now.onGround && now.groundSpeed < 1.0);
+    });
+    fmt::print("normal, plain flare: touchdown at {:.2f} m/s\n", flight.state().touchdownSpeed);
+    EXPECT_FALSE(flight.state().crashed()) << crashText(flight.aircraft.airframe(), flight.state());
+    EXPECT_TRUE(flight.now().onGround);
+    EXPECT_LT(flight.state().touchdownSpeed, 1.6);
+}
+
 TEST(Assist, LightKeepsTheBallInTheMiddleWhereSimDoesNot) {
     double slip[2];
     for (int i = 0; i < 2; ++i) {
