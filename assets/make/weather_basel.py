@@ -266,7 +266,7 @@ def report_of(row, look, cover, shares, heights, visibility, thunder_seen):
             filled[place + "cover"] = own
         if base is not None:
             filled[place + "base_m"] = base
-    report["layers"] = layers
+    report["layers"] = layers if layers or look else None
     report["filled"] = filled
     return report
 

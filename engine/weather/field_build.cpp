@@ -184,7 +184,7 @@ void Field::Data::joinTracks() {
             site.curves.emplace_back();
             if (!own) continue;
             SiteTrack const& track = site.tracks[*own];
-            site.curves.back() = TrackCurves{{site.times, track.cover}, {site.times, track.base}, {site.times, track.top}};
+            site.curves.back() = TrackCurves{coverCurve(site.tracks, *own, site.times), {site.times, track.base}, {site.times, track.top}};
         }
     }
 }

@@ -82,6 +82,12 @@ Recording parseRecording(std::string_view bytes, std::string const& file);
 /// The same from a file. Throws core::Error, also when it cannot be read.
 Recording readRecording(std::string const& file);
 
+/// The recording in our format, one report a line; read again it is the same (numbers to 6 decimals).
+std::string recordingText(Recording const& recording);
+
+/// Writes it to a new file and renames that. Throws core::Error.
+void writeRecording(Recording const& recording, std::string const& file);
+
 /// Lower-case hex of the SHA-256 of the bytes.
 std::string sha256Hex(std::string_view bytes);
 }  // namespace luftpost::weather

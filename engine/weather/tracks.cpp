@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math.h"
 #include "engine/weather/genera.h"
 
 namespace luftpost::weather {
@@ -52,7 +53,43 @@ void holdWhereAbsent(SiteTrack& track) {
         track.top[i] = track.top[from];
     }
 }
+/// Between reports k and k + 1: comes from nothing (1), goes to nothing (-1), or neither.
+int turnOf(SiteTrack const& track, std::size_t k) {
+    bool const before = track.cover[k] > 0.0, after = track.cover[k + 1] > 0.0;
+    return before == after ? 0 : (after ? 1 : -1);
+}
+
+bool changesPlaces(std::vector<SiteTrack> const& tracks, std::size_t which, std::size_t k) {
+    int const own = turnOf(tracks[which], k);
+    if (own == 0) return false;
+    return std::any_of(tracks.begin(), tracks.end(), [&](SiteTrack const& other) {
+        return turnOf(other, k) == -own && levelOf(other.genus) == levelOf(tracks[which].genus);
+    });
+}
+
+/// The cover of a layer of which a share is there, so that layers of shares that sum to 1 leave the same gaps as one whole.
+double sharedCover(double cover, double share) {
+    constexpr double kNearlyClosed = 0.97;
+    double const gap = 1.0 - std::min(cover, kNearlyClosed);
+    return (1.0 - core::pow(gap, share)) * cover / std::min(cover, kNearlyClosed);
+}
 }  // namespace
+
+Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times) {
+    SiteTrack const& track = tracks[which];
+    std::vector<double> knots, covers;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        knots.push_back(times[k]);
+        covers.push_back(track.cover[k]);
+        if (k + 1 == times.size() || !changesPlaces(tracks, which, k)) continue;
+        bool const comes = turnOf(track, k) > 0;
+        for (double const u : {0.25, 0.5, 0.75}) {
+            knots.push_back(times[k] + u * (times[k + 1] - times[k]));
+            covers.push_back(sharedCover(track.cover[comes ? k + 1 : k], comes ? u : 1.0 - u));
+        }
+    }
+    return {knots, covers};
+}
 
 std::vector<SiteTrack> siteTracks(std::vector<FullReport> const& reports) {
     std::vector<SiteTrack> tracks;

@@ -19,6 +19,10 @@ struct SiteTrack {
 /// layer of its genus near its level, so that there are few.
 std::vector<SiteTrack> siteTracks(std::vector<FullReport> const& reports);
 
+/// The cover of one of a site's tracks over time. Where a layer goes while another of its level comes, the two change places
+/// so that the sky between them stays as covered as both ends say, overlap by chance reckoned with.
+Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times);
+
 /// For each of `tracks`, which of the `known` ones it continues at another site: the nearest in mean base of the same genus,
 /// each at most once; none: a new one.
 std::vector<std::optional<std::size_t>> matchedTracks(std::vector<SiteTrack> const& tracks, std::vector<SiteTrack> const& known);

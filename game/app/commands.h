@@ -42,6 +42,8 @@ using Chosen = std::function<int()>;
 void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
+void addWeatherCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+void addAirCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
 void addTerrainCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);

@@ -1,0 +1,17 @@
+// The common options --weather, --place and --time as the commands use them.
+#pragma once
+#include <string>
+
+#include "engine/weather/field.h"
+#include "game/app/commands.h"
+
+namespace luftpost::app {
+/// --place, if it was given.
+std::optional<weather::PlaceWish> placeWish(CommonOptions const& common);
+/// --weather, else the bundled recording.
+std::string weatherSource(CommonOptions const& common);
+/// --time, else the default hour where the weather is the bundled recording, else the recording's first report.
+core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& field);
+/// The field of the common options. Throws core::Error.
+weather::Field weatherField(CommonOptions const& common);
+}  // namespace luftpost::app
