@@ -1,57 +1,119 @@
 #include "game/app/play.h"
 
+#include <chrono>
 #include <cmath>
 
+#include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/gl/context.h"
+#include "engine/platform/surface.h"
 #include "engine/terrain/streamer.h"
+#include "game/app/frame_clock.h"
+#include "game/app/game.h"
+#include "game/app/player_files.h"
 #include "game/app/report.h"
 #include "game/app/session.h"
-#include "game/ui/camera.h"
 
 namespace luftpost::app {
 namespace {
+using WallClock = std::chrono::steady_clock;
 constexpr std::size_t kChunkBytes = 160'000'000;
+constexpr double kBytesPerMegabyte = 1.0e6;
 
-/// The last tick that frame `number` (from 1) has seen.
-long long tickOfFrame(long long number, double frameRate) {
-    return static_cast<long long>(
-        std::floor(static_cast<double>(number) * core::kTicksPerSecond / frameRate));
+double secondsSince(WallClock::time_point start) {
+    return std::chrono::duration<double>(WallClock::now() - start).count();
 }
 
-/// What the chase camera of a drawn flight would see.
+ChunkFigures chunkFigures(terrain::StreamerStats const& stats) {
+    return {stats.made, stats.cached, stats.evicted, stats.peakBytes};
+}
+
+/// What the pilot sees ahead.
 terrain::CameraView viewOf(flight::AircraftState const& state) {
     return {.positionWorld = state.positionWorld,
             .forward = state.worldFromBody * glm::dvec3{1.0, 0.0, 0.0},
             .up = state.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}};
 }
 
+/// What was asked for, written when the flight is over.
+void writeFiles(Session const& session, RunOptions const& run, FlightReport const& report) {
+    if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
+    if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
+    if (!run.saveWeather.empty())
+        core::writeFileAtomically(run.saveWeather,
+                                  weather::recordingText(session.world().field().recording()));
+    if (!run.report.empty()) core::writeFileAtomically(run.report, reportText(report));
+}
+
+/// The flight's own figures beside what the run cost.
+FlightReport wholeReport(Session const& session, Settings settings, FlightReport const& cost) {
+    FlightReport report = session.report();
+    report.chunks = cost.chunks;
+    report.frame_ms = cost.frame_ms;
+    report.glErrors = cost.glErrors;
+    report.gpu_mb = cost.gpu_mb;
+    report.rss_mb = residentMemory_mb();
+    report.changed = core::changedSettings(settingList(settings));
+    return report;
+}
+
 /// Flies all ticks without any picture; the land is still built around the aircraft, frame by frame.
-void flyBlind(Session& session, RunOptions const& run, FlightReport& report) {
+void flyBlind(PlayOptions options) {
+    RunOptions const& run = options.run;
+    Session session{std::move(options.session)};
     terrain::Streamer streamer{session.world().land(), run.workers, kChunkBytes};
-    long long const last = *run.ticks;
-    for (long long frame = 1; session.simulation().tick() < last; ++frame) {
-        long long const until = std::min(tickOfFrame(frame, run.frameRate), last);
-        while (session.simulation().tick() < until) session.tick();
+    delivery::Career career = run.save.empty() ? delivery::Career{} : loadCareer(run.save);
+    for (long long frame = 1; session.simulation().tick() < *run.ticks; ++frame) {
+        FrameStep const step = simulatedStep(frame, run.frameRate);
+        for (long long i = 0; i < step.ticks && session.simulation().tick() < *run.ticks; ++i) session.tick();
         streamer.update(viewOf(session.simulation().aircraft().state()));
-        session.takeEvents();
+        for (FlightEventAt const& event : session.takeEvents())
+            if (countParcel(career, session.simulation(), event) && !run.save.empty())
+                saveCareer(run.save, career);
     }
-    terrain::StreamerStats const stats = streamer.stats();
-    report.chunks = {stats.made, stats.cached, stats.evicted, stats.peakBytes};
+    FlightReport cost;
+    cost.chunks = chunkFigures(streamer.stats());
+    writeFiles(session, run, wholeReport(session, run.settings, cost));
+}
+
+/// Draws frame after frame of the simulated clock (headless) or of the player's until the flight is over.
+void flyFrames(Game& game, RunOptions const& run, std::vector<double>& frame_ms) {
+    FrameClock clock;
+    WallClock::time_point before = WallClock::now();
+    for (long long number = 1; !game.over(); ++number) {
+        if (run.ticks && game.session().simulation().tick() >= *run.ticks) return;
+        double const wall = secondsSince(before);
+        before = WallClock::now();
+        game.frame(run.headless ? simulatedStep(number, run.frameRate) : clock.step(wall, game.paused()));
+        frame_ms.push_back(secondsSince(before) * 1000.0);
+    }
+}
+
+void flyWithPicture(PlayOptions options) {
+    RunOptions const run = options.run;
+    std::unique_ptr<platform::Surface> const surface =
+        run.headless ? platform::openHeadless(run.size)
+                     : platform::openWindow({.size = run.size,
+                                             .fullScreen = run.settings.graphics.fullScreen,
+                                             .verticalSync = run.settings.graphics.verticalSync});
+    gl::prepareContext();
+    Game game{std::move(options), *surface};
+    FlightReport cost;
+    flyFrames(game, run, cost.frame_ms);
+    game.saveNow();
+    if (!run.screenshot.empty()) game.writePicture(run.screenshot);
+    cost.chunks = chunkFigures(game.renderer().landStats());
+    cost.glErrors = static_cast<std::size_t>(gl::errorCount());
+    cost.gpu_mb = static_cast<double>(gl::allocatedBytes()) / kBytesPerMegabyte;
+    writeFiles(game.session(), run, wholeReport(game.session(), game.settings(), cost));
 }
 }  // namespace
 
 int playFlight(PlayOptions options) {
-    RunOptions const& run = options.run;
-    Session session{std::move(options.session)};
-    FlightReport cost;
-    flyBlind(session, run, cost);
-    FlightReport report = session.report();
-    report.chunks = cost.chunks;
-    Settings settings = run.settings;
-    report.changed = core::changedSettings(settingList(settings));
-    if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
-    if (!run.report.empty()) core::writeFileAtomically(run.report, reportText(report));
-    if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
+    if (options.run.noRender)
+        flyBlind(std::move(options));
+    else
+        flyWithPicture(std::move(options));
     return 0;
 }
 }  // namespace luftpost::app

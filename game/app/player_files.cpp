@@ -30,6 +30,21 @@ void usePlayerFiles(CommonOptions& common, RunOptions& run) {
     if (!common.seed) common.seed = loadCareer(run.save).seed;
 }
 
+bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event) {
+    if (event.event != FlightEvent::delivered && event.event != FlightEvent::lost) return false;
+    delivery::Drop const& drop = simulation.delivery().drops().back();
+    career.seed = simulation.world().land().seed();
+    if (!drop.delivered) {
+        ++career.parcelsLost;
+        return true;
+    }
+    ++career.deliveries;
+    career.score += drop.score;
+    if (career.bestDistance_m < 0.0 || drop.distance < career.bestDistance_m)
+        career.bestDistance_m = drop.distance;
+    return true;
+}
+
 delivery::Career loadCareer(fs::path const& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return {};

@@ -5,6 +5,7 @@
 
 #include "engine/core/settings.h"
 #include "game/app/commands.h"
+#include "game/app/simulation.h"
 #include "game/delivery/career.h"
 
 namespace luftpost::app {
@@ -14,6 +15,9 @@ struct RunOptions;
 /// command line leaves open, and names the files for writing in `run`. What is wrong in them is said on
 /// standard output; the game starts.
 void usePlayerFiles(CommonOptions& common, RunOptions& run);
+
+/// Takes a parcel that came down into the career; false when the event was something else.
+bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event);
 
 /// The career in `file`. A missing file is a new career; a broken one is set aside as FILE.bad and said so.
 delivery::Career loadCareer(std::filesystem::path const& file);

@@ -67,7 +67,7 @@ std::string reportText(FlightReport const& report) {
                 {"evicted", report.chunks.evicted},
                 {"peak_bytes", report.chunks.peakBytes}}},
               {"frame_ms", timesJson(report.frame_ms)},
-              {"memory", {{"rss_mb", residentMemory_mb()}, {"gpu_mb", report.gpu_mb}}},
+              {"memory", {{"rss_mb", report.rss_mb}, {"gpu_mb", report.gpu_mb}}},
               {"changed", Json::object()}};
     for (delivery::Drop const& drop : report.drops) json["drops"].push_back(dropJson(drop));
     for (auto const& [key, value] : report.changed) json["changed"][key] = valueJson(value);

@@ -21,11 +21,11 @@ struct FlightReport {
     std::size_t glErrors = 0;
     ChunkFigures chunks;
     std::vector<double> frame_ms;  // of each frame that was drawn
-    double gpu_mb = 0.0;
+    double rss_mb = 0.0, gpu_mb = 0.0;
     std::map<std::string, core::SettingValue> changed;
 };
 
-/// The report as text; the memory this process holds is read here.
+/// The report as text.
 std::string reportText(FlightReport const& report);
 /// Resident memory of this process in MB (10^6 bytes); 0 where the system does not tell.
 double residentMemory_mb();

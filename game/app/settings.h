@@ -5,6 +5,7 @@
 #include "engine/render/graphics_settings.h"
 #include "engine/weather/cloud_settings.h"
 #include "game/app/flight_settings.h"
+#include "game/app/view_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
@@ -12,6 +13,7 @@ struct Settings {
     FlightSettings flight;
     weather::CloudSettings clouds;
     render::GraphicsSettings graphics;
+    ViewSettings view;
     ui::HudSettings hud;
     audio::AudioSettings audio;
 };

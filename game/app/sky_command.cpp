@@ -50,17 +50,20 @@ struct SkyRequest {
 bool isExr(fs::path const& file) { return file.extension() == ".exr"; }
 
 void readView(SkyRequest& request, SkyTexts const& texts) {
-    if (texts.panorama && texts.dome) throw core::Error{"--dome", "", "expected not together with --panorama"};
+    if (texts.panorama && texts.dome)
+        throw core::Error{"--dome", "", "expected not together with --panorama"};
     if (texts.panorama) request.projection = render::Projection::panorama;
     if (texts.dome) request.projection = render::Projection::dome;
     bool const whole = texts.panorama || texts.dome;
     if (whole && !(texts.look.empty() && texts.fov.empty()))
-        throw core::Error{texts.look.empty() ? "--fov" : "--look", "", "expected not together with --panorama or --dome"};
+        throw core::Error{texts.look.empty() ? "--fov" : "--look", "",
+                          "expected not together with --panorama or --dome"};
     if (!texts.look.empty()) {
         auto const angles = numbersOption("--look", texts.look, 2, 2, "AZ,EL");
         request.look = {angles[0], angles[1]};
         if (std::abs(request.look.x) > 720.0 || std::abs(request.look.y) > 90.0)
-            throw core::Error{"--look", "", fmt::format("expected AZ -720..720 and EL -90..90, found {}", texts.look)};
+            throw core::Error{"--look", "",
+                              fmt::format("expected AZ -720..720 and EL -90..90, found {}", texts.look)};
     }
     if (!texts.fov.empty()) request.fov_deg = numberOption("--fov", texts.fov, 0.1, 170.0);
 }
@@ -89,12 +92,14 @@ SkyRequest skyRequest(SkyTexts const& texts) {
     request.output = texts.output;
     if (request.output.empty()) throw core::Error{"-o", "", "expected FILE.png or FILE.exr"};
     if (!isExr(request.output) && request.output.extension() != ".png")
-        throw core::Error{"-o", "", fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
+        throw core::Error{"-o", "",
+                          fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
     core::checkOutputFolder("-o", request.output);
     return request;
 }
 
-/// Weather, place and land of a still. The place's altitude is that of the nearest site: ALT_M of --place is the eye.
+/// Weather, place and land of a still. The place's altitude is that of the nearest site: ALT_M of --place is
+/// the eye.
 struct Scene {
     explicit Scene(CommonOptions const& common)
         : field{weather::loadWeather(source(common), wish(common))},
@@ -106,7 +111,8 @@ struct Scene {
         eye = ground;
         if (common.place && common.place->altitude_m) eye = std::max(*common.place->altitude_m, ground);
         if (eye > kHighestEye)
-            throw core::Error{"--place", "", fmt::format("expected an eye no higher than {} m, found {}", kHighestEye, eye)};
+            throw core::Error{"--place", "",
+                              fmt::format("expected an eye no higher than {} m, found {}", kHighestEye, eye)};
     }
 
     static std::string source(CommonOptions const& common) {
@@ -120,10 +126,12 @@ struct Scene {
     core::UtcSeconds startTime(CommonOptions const& common) const {
         core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
         bool const preset = field.origin().mode == weather::SourceMode::Preset;
-        core::UtcSeconds const time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
+        core::UtcSeconds const time =
+            common.time.value_or(preset || field.covers(usual) ? usual : field.start());
         if (!preset && !field.covers(time))
-            fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n", source(common),
-                       core::formatUtc(time), core::formatUtc(field.start()), core::formatUtc(field.end()));
+            fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
+                       source(common), core::formatUtc(time), core::formatUtc(field.start()),
+                       core::formatUtc(field.end()));
         return time;
     }
 
@@ -141,7 +149,8 @@ glm::dquat orientation(glm::dvec2 const& look_deg) {
            glm::angleAxis(core::radians(look_deg.y), glm::dvec3{1.0, 0.0, 0.0});
 }
 
-render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, CommonOptions const& common, double seconds) {
+render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, CommonOptions const& common,
+                            double seconds) {
     render::Snapshot snapshot;
     snapshot.camera.positionWorld = {0.0, scene.eye, 0.0};
     snapshot.camera.worldFromCamera = orientation(request.look);
@@ -194,7 +203,8 @@ int runSky(SkyTexts const& texts, CommonOptions const& common) {
 }  // namespace
 
 void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
-    CLI::App* sky = app.add_subcommand("sky", "a still of the sky; ALT_M of --place is the eye (default: 2 m above ground)");
+    CLI::App* sky = app.add_subcommand(
+        "sky", "a still of the sky; ALT_M of --place is the eye (default: 2 m above ground)");
     auto const texts = std::make_shared<SkyTexts>();
     sky->add_option("--look", texts->look, "AZ,EL in degrees: clockwise from north, upward (default 0,10)");
     sky->add_option("--fov", texts->fov, "horizontal field of view, degrees (default 75)");
@@ -204,6 +214,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
     sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on");
     sky->add_option("--step", texts->step, "seconds between frames (default 60)");
-    sky->callback([texts, &common, &chosen] { chosen = [texts, &common] { return runSky(*texts, common); }; });
+    sky->callback(
+        [texts, &common, &chosen] { chosen = [texts, &common] { return runSky(*texts, common); }; });
 }
 }  // namespace luftpost::app

@@ -1,0 +1,178 @@
+#include "game/app/game.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/assets/image.h"
+#include "engine/core/error.h"
+#include "engine/gl/context.h"
+#include "game/app/instruments.h"
+#include "game/app/player_files.h"
+
+namespace luftpost::app {
+namespace {
+constexpr double kPromptSeconds = 60.0;  // the first minute
+constexpr double kSaveAfter = 0.5;       // s without another change
+
+render::RendererOptions rendererOptions(RunOptions const& run) {
+    return {.size = run.size, .hotReload = !run.headless};
+}
+
+/// Where a parcel released now would land, with the wind that is here.
+std::optional<glm::dvec3> predictedLanding(Simulation const& simulation) {
+    if (!simulation.delivery().parcelAboard()) return std::nullopt;
+    flight::AircraftState const& state = simulation.aircraft().state();
+    core::AirSample air;
+    air.windWorld = {state.readings.windWorld.x, 0.0, state.readings.windWorld.z};
+    air.density = state.readings.density;
+    return delivery::predictedLanding({state.positionWorld, state.velocityWorld, 0.0, 0.0},
+                                      simulation.delivery().parcelData(), air,
+                                      simulation.delivery().target().height)
+        .positionWorld;
+}
+}  // namespace
+
+Game::Game(PlayOptions options, platform::Surface& surface)
+    : plan_{std::move(options.session)},
+      run_{std::move(options.run)},
+      surface_{surface},
+      settings_{run_.settings},
+      list_{settingList(settings_)},
+      session_{std::make_unique<Session>(plan_)},
+      renderer_{rendererOptions(run_)},
+      models_{renderer_} {
+    if (surface_.hasWindow()) sounds_.emplace();
+    if (!run_.save.empty()) career_ = loadCareer(run_.save);
+    if (!run_.settingsFile.empty()) {
+        Settings ignored;
+        core::SettingList list = settingList(ignored);
+        fileNotes_ = core::readPlayerSettings(list, run_.settingsFile);
+    }
+    cameras_.select(settings_.view.camera);
+    restart();
+}
+
+void Game::frame(FrameStep const& step) {
+    readDevices(step);
+    advance(step);
+    takeEvents();
+    moveCamera(step);
+    drawPicture(step, drawScreen(step), false);
+    if (sounds_)
+        sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
+                      step.wall);
+    if (settingsChanged_ && (sinceChange_ += step.wall) > kSaveAfter) saveNow();
+}
+
+void Game::readDevices(FrameStep const& step) {
+    if (!surface_.hasWindow()) return;
+    reading_ = devices_.read(surface_.poll(), screen_.wantsText(), screen_.wantsPointer(), step.wall);
+    obey(reading_);
+    if (surface_.closeRequested()) quit_ = true;
+    if (plan_.courier || reading_.flight == sample_) return;
+    sample_ = reading_.flight;
+    session_->input(sample_);
+}
+
+void Game::advance(FrameStep const& step) {
+    long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
+    for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
+}
+
+void Game::takeEvents() {
+    double const now = session_->simulation().seconds();
+    for (FlightEventAt const& event : session_->takeEvents()) {
+        messages_.sayEvent(event, now);
+        if (sounds_) sounds_->note(event);
+        count(event);
+        if (event.event == FlightEvent::respawned)
+            cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
+                           groundHeight());
+    }
+}
+
+/// The career is written with every parcel: a killed game loses nothing.
+void Game::count(FlightEventAt const& event) {
+    if (countParcel(career_, session_->simulation(), event) && !run_.save.empty())
+        saveCareer(run_.save, career_);
+}
+
+ui::GroundHeight Game::groundHeight() const {
+    return [this](double east, double north) { return session_->world().ground()(east, north).height; };
+}
+
+void Game::moveCamera(FrameStep const& step) {
+    Simulation const& simulation = session_->simulation();
+    if (auto const parcel = shownParcel(simulation, step.share)) cameras_.watchParcel(parcel->positionWorld);
+    cameras_.setFieldOfView(core::radians(settings_.graphics.fieldOfView_deg));
+    cameras_.advance(cameraSubject(simulation, shownPose(simulation, step.share)), reading_.camera,
+                     groundHeight(), paused() ? 0.0 : step.seconds, step.wall);
+}
+
+ImDrawData const* Game::drawScreen(FrameStep const& step) {
+    screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, reading_.screen);
+    ui::drawHud(hudState());
+    drawPages();
+    return screen_.end();
+}
+
+void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
+    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+    FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
+    render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
+    snapshot.still = still;
+    snapshot.debug = debug_;
+    snapshot.ui = screen;
+    snapshot.fontVersion = screen_.fontVersion();
+    renderer_.draw(snapshot);
+    if (!surface_.hasWindow()) return gl::finish();
+    renderer_.present(surface_.size());
+    surface_.swap();
+}
+
+void Game::writePicture(std::filesystem::path const& file) {
+    FrameStep const now{0, 1.0, 0.0, 0.0};
+    drawPicture(now, drawScreen(now), true);
+    assets::writePng(file, renderer_.readPixels());
+}
+
+void Game::restart() {
+    if (session_->simulation().tick() > 0) {
+        plan_.plan.simulation.settings = settings_.flight;
+        session_ = std::make_unique<Session>(plan_);
+    }
+    sample_ = {};
+    cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
+                   groundHeight());
+}
+
+void Game::saveNow() {
+    settingsChanged_ = false;
+    if (run_.settingsFile.empty()) return;
+    try {
+        core::writeSettings(list_, fileNotes_, run_.settingsFile);
+    } catch (core::Error const& error) {
+        messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
+    }
+}
+
+ui::HudState Game::hudState() {
+    Simulation const& simulation = session_->simulation();
+    ui::HudState hud = instruments(simulation);
+    hud.scale = settings_.hud.scale;
+    hud.visible = settings_.hud.visible;
+    hud.paused = paused();
+    hud.score =
+        static_cast<int>(std::lround(run_.save.empty() ? simulation.delivery().score() : career_.score));
+    hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;
+    hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
+    hud.predictedLandingWorld = predictedLanding(simulation);
+    weather::Origin const& origin = session_->world().field().origin();
+    hud.weather = {origin.name, origin.mode == weather::SourceMode::Preset ? "preset" : "recorded",
+                   session_->world().field().age(simulation.utc())};
+    hud.messages = messages_.at(simulation.seconds());
+    if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
+    hud.camera = cameras_.pose();
+    return hud;
+}
+}  // namespace luftpost::app

@@ -1,0 +1,86 @@
+// The game as one sees it: devices in, ticks, sound and a picture out. Main thread; the GL context is
+// current.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/platform/surface.h"
+#include "engine/render/renderer.h"
+#include "game/app/frame_clock.h"
+#include "game/app/messages.h"
+#include "game/app/play_options.h"
+#include "game/app/session.h"
+#include "game/app/snapshot_builder.h"
+#include "game/app/sound_stage.h"
+#include "game/delivery/career.h"
+#include "game/ui/devices.h"
+#include "game/ui/screen_frame.h"
+
+namespace luftpost::app {
+class Game {
+public:
+    /// `surface` is current and prepared and outlives the game. Throws core::Error where data does not load.
+    Game(PlayOptions options, platform::Surface& surface);
+
+    /// One frame: what the devices say, so many ticks, sound, picture.
+    void frame(FrameStep const& step);
+    /// The present state once more with every ray, read back and written.
+    void writePicture(std::filesystem::path const& file);
+
+    bool paused() const { return paused_ || pauseOpen_; }
+    bool over() const { return quit_; }
+    Session& session() { return *session_; }
+    Settings const& settings() const { return settings_; }
+    render::Renderer& renderer() { return renderer_; }
+    /// Writes what waits to be written of settings and career.
+    void saveNow();
+
+private:
+    void readDevices(FrameStep const& step);
+    void advance(FrameStep const& step);
+    void takeEvents();
+    void moveCamera(FrameStep const& step);
+    ImDrawData const* drawScreen(FrameStep const& step);
+    void drawPages();
+    void drawPicture(FrameStep const& step, ImDrawData const* screen, bool still);
+    void obey(ui::DeviceReading const& reading);
+    void escape();
+    void takePicture();
+    void answerConfig(ui::ConfigAnswer const& answer);
+    void answerPause(ui::PauseChoice choice);
+    void change(ui::SettingChange const& change);
+    void useWeather(std::string const& source);
+    void restart();
+    void count(FlightEventAt const& event);
+    void applyGraphics();
+    ui::HudState hudState();
+    ui::GroundHeight groundHeight() const;
+    ui::MenuWeather menuWeather() const;
+
+    SessionOptions plan_;
+    RunOptions run_;
+    platform::Surface& surface_;
+    Settings settings_;
+    core::SettingList list_;
+    core::SettingsFileNotes fileNotes_;
+    std::unique_ptr<Session> session_;
+    render::Renderer renderer_;
+    GameModels models_;
+    ui::ScreenFrame screen_;
+    ui::Devices devices_;
+    ui::DeviceReading reading_;
+    ui::InputSample sample_;
+    ui::Cameras cameras_;
+    std::optional<SoundStage> sounds_;  // with a window
+    Messages messages_;
+    delivery::Career career_;
+    render::DebugViews debug_;
+    bool configOpen_ = false, keysOpen_ = false, pauseOpen_ = false;
+    bool paused_ = false;
+    bool quit_ = false;
+    bool settingsChanged_ = false;
+    double sinceChange_ = 0.0;  // s of the player's time
+};
+}  // namespace luftpost::app

@@ -1,0 +1,83 @@
+#include "game/app/sound_stage.h"
+
+#include <optional>
+#include <string>
+
+#include "engine/assets/sound.h"
+#include "engine/platform/paths.h"
+
+namespace luftpost::app {
+namespace {
+audio::Clip clip(char const* name) {
+    assets::Sound sound =
+        assets::readSound(platform::dataFile("assets/sounds/" + std::string{name} + ".wav"));
+    return {std::move(sound.samples), sound.rate};
+}
+
+audio::SoundEvent sound(audio::Event event, glm::dvec3 const& positionWorld, bool near) {
+    return {event, positionWorld, near, 1.0f};
+}
+}  // namespace
+
+SoundStage::SoundStage() {
+    if (mixer_.silent()) return;
+    for (int i = 0; i < static_cast<int>(audio::Loop::count); ++i) {
+        auto const loop = static_cast<audio::Loop>(i);
+        mixer_.load(loop, clip(audio::fileName(loop)));
+    }
+    for (int i = 0; i < static_cast<int>(audio::Event::count); ++i) {
+        auto const event = static_cast<audio::Event>(i);
+        mixer_.load(event, clip(audio::fileName(event)));
+    }
+}
+
+void SoundStage::note(FlightEventAt const& event) {
+    using audio::Event;
+    auto const add = [&](Event which, bool near) {
+        events_.push_back(sound(which, event.positionWorld, near));
+    };
+    switch (event.event) {
+        case FlightEvent::released:
+            return add(Event::release, true);
+        case FlightEvent::chuteOpened:
+            return add(Event::chute, false);
+        case FlightEvent::delivered:
+            return add(Event::parcel_landed, false), add(Event::delivery, true);
+        case FlightEvent::lost:
+            return add(Event::parcel_landed, false), add(Event::lost, true);
+        case FlightEvent::crashed:
+            return add(Event::crash, true);
+        case FlightEvent::touchdown:
+            return add(Event::touchdown, true);
+        case FlightEvent::respawned:
+            return;
+    }
+}
+
+void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera, bool inside, bool paused,
+                      audio::AudioSettings const& settings, double wallSeconds) {
+    constexpr double kSecondsPerHour = 3600.0;
+    flight::AircraftState const& aircraft = simulation.aircraft().state();
+    flight::Readings const& readings = aircraft.readings;
+    audio::AudioState state;
+    state.rpm = aircraft.propellerRate * 60.0 / (2.0 * core::kPi);
+    state.throttle = simulation.stick().controls().throttle;
+    state.engineRunning = aircraft.fuel > 0.0;
+    state.airspeed = readings.tas;
+    state.slip = readings.beta;
+    state.turbulence = readings.turbulence;
+    glm::dvec3 const& eye = camera.positionWorld;
+    state.rain =
+        simulation.world().field().at(eye.x, -eye.z, simulation.utc()).precipitationRate / kSecondsPerHour;
+    state.stalled = readings.stallHorn;
+    state.onGround = readings.onGround;
+    state.groundSpeed = readings.groundSpeed;
+    state.inside = inside;
+    state.paused = paused;
+    state.listenerWorld = eye;
+    state.worldFromListener = camera.worldFromCamera;
+    state.aircraftWorld = aircraft.positionWorld;
+    state.events = std::exchange(events_, {});
+    mixer_.play(state, settings, wallSeconds);
+}
+}  // namespace luftpost::app

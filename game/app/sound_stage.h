@@ -1,0 +1,24 @@
+// What the flight sounds like: loads the sounds and hands each frame to the mixer.
+#pragma once
+#include "engine/audio/mixer.h"
+#include "game/app/simulation.h"
+#include "game/ui/camera.h"
+
+namespace luftpost::app {
+class SoundStage {
+public:
+    /// Loads all sounds of the data. Without a sound device all is silent. Throws core::Error for a broken
+    /// file.
+    SoundStage();
+
+    void note(FlightEventAt const& event);
+    void click() { events_.push_back({audio::Event::click, {}, true, 0.5f}); }
+    /// Plays this frame and the events noted since the last.
+    void play(Simulation const& simulation, ui::CameraPose const& camera, bool inside, bool paused,
+              audio::AudioSettings const& settings, double wallSeconds);
+
+private:
+    audio::Mixer mixer_;
+    std::vector<audio::SoundEvent> events_;
+};
+}  // namespace luftpost::app
