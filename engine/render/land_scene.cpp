@@ -151,7 +151,7 @@ void LandScene::fillBlock(FrameContext const& context) {
 }
 
 void LandScene::bind() const {
-    block_.bindUniform(4);
+    block_.bindUniform(6);
     noShadow_.bind(1);
 }
 

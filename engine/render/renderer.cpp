@@ -25,6 +25,7 @@
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
 #include "engine/render/view.h"
+#include "engine/render/water_pass.h"
 
 namespace luftpost::render {
 namespace {
@@ -73,6 +74,7 @@ struct Renderer::Parts {
           clouds{programs},
           land{wanted.workers},
           terrain{programs},
+          water{programs},
           composite{programs},
           precipitation{programs},
           exposure{programs},
@@ -103,6 +105,7 @@ struct Renderer::Parts {
     CloudPass clouds;
     LandScene land;
     TerrainPass terrain;
+    WaterPass water;
     CompositePass composite;
     PrecipitationPass precipitation;
     ExposurePass exposure;
@@ -176,6 +179,7 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
 void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("chunks", [&] { land.update(context); });
     timer.pass("terrain", [&] { terrain.draw(context, land); });
+    timer.pass("water", [&] { water.draw(context, land); });
 }
 
 void Renderer::Parts::begin(Snapshot const& snapshot) {

@@ -3,6 +3,8 @@
 #define LUFTPOST_TERRAIN_LIGHT_GLSL
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/terrain.glsl.h"
+#include "shaders/lib/model_shadow.glsl"
+#include "shaders/lib/sky_tables.glsl"
 
 layout(binding = 1) uniform sampler2D landShadow;  // altitude below which the land lies in another land's shadow, softness
 
@@ -16,12 +18,18 @@ float landLight(vec2 flatOffset, float altitude) {
     return mix(1.0, free, clamp(min(rim.x, rim.y) * 12.0, 0.0, 1.0));
 }
 
-/// Radiance of a matt surface. `open`: share of the sky that it sees beside what its tilt hides.
-vec3 mattLight(vec3 albedo, vec3 normal, float free, float open) {
-    vec3 sun = frame.sunIrradiance.rgb * (max(dot(normal, frame.sunDirection.xyz), 0.0) * free);
-    vec3 moon = frame.moonIrradiance.rgb * max(dot(normal, frame.moonDirection.xyz), 0.0);
+/// Share of the sun's light that comes past land, clouds and models to `offset` (m east and north of the camera, flat).
+float sunShare(vec2 offset, float altitude) {
+    vec3 relative = vec3(offset.x, altitude - land.levels.w, -offset.y);
+    return landLight(offset, altitude) * modelShadow(relative) * frame.sunIrradiance.w;
+}
+
+/// Radiance of a matt surface at `altitude`. `share`: of sunShare; `open`: what its own hollows leave of the sky.
+vec3 mattLight(vec3 albedo, vec3 normal, float altitude, float share, float open) {
+    vec3 sun = sunIrradianceAt(altitude) * (max(dot(normal, frame.sunDirection.xyz), 0.0) * share);
+    vec3 moon = moonIrradianceAt(altitude) * (max(dot(normal, frame.moonDirection.xyz), 0.0) * frame.moonIrradiance.w);
     float up = 0.5 + 0.5 * normal.y;
-    vec3 around = frame.skyIrradiance.rgb * (up * open) + frame.groundIrradiance.rgb * (1.0 - up);
+    vec3 around = mix(frame.groundIrradiance.rgb, frame.skyIrradiance.rgb, up) * open;
     return albedo * (sun + moon + around) * (1.0 / 3.14159265);
 }
 #endif

@@ -14,9 +14,11 @@ uniform vec4 chunkPlace;    // xy: south-west corner from the camera, m east and
 uniform ivec4 chunkOrigin;  // xy: south-west corner, whole m east and north of the world's origin; z: stride of the mesh, cells; w: bits of coarser sides
 uniform vec4 chunkMorph;    // x: distance where it begins; y: 1 / the distance over which it ends; z: 1 / samples a side
 
-/// A vertex of the chunk relative to the camera, flat. `surface`: heights below it are lifted to it.
+const float kLandItself = -1.0e6;
+
+/// A vertex of the chunk relative to the camera, flat: of the land itself, or of a level `surface` (m above sea level).
 vec3 flatVertex(ivec2 cell, float surface) {
-    float height = max(texelFetch(chunkSamples, ivec2(vec2(cell) * chunkPlace.w + 0.5), 0).x, surface);
+    float height = surface > kLandItself ? surface : texelFetch(chunkSamples, ivec2(vec2(cell) * chunkPlace.w + 0.5), 0).x;
     vec2 offset = chunkPlace.xy + vec2(cell) * chunkPlace.z;
     return vec3(offset.x, height - land.levels.w, -offset.y);
 }

@@ -46,8 +46,7 @@ void main() {
     vec3 albedo = face.albedo * (1.0 - 0.35 * wet);
     vec3 tilted = roughened(normal, face, footprint);
     tilted = normalize(tilted + vec3(world.x, 0.0, world.z) / kCurvatureRadius);
-    float free = landLight(offset, ground.x);
     float open = 1.0 - 0.35 * face.canopy;
-    colour = vec4(mattLight(albedo, tilted, free * frame.sunIrradiance.w, open) * frame.exposure.x, 1.0);
+    colour = vec4(mattLight(albedo, tilted, ground.x, sunShare(offset, ground.x), open) * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);
 }

@@ -10,7 +10,7 @@ out vec4 clipNow;
 out vec4 clipBefore;
 
 void main() {
-    world = meshVertex(ivec2(vertex.xy), -1.0e6, place);
+    world = meshVertex(ivec2(vertex.xy), kLandItself, place);
     world.y -= float(vertex.z) * 0.25 * chunkPlace.z * float(chunkOrigin.z);  // the skirt hides the seam's last rounding
     clipNow = frame.clipFromWorld * vec4(world, 1.0);
     clipBefore = frame.previousClipFromWorld * vec4(world, 1.0);
