@@ -18,6 +18,7 @@
 #include "engine/terrain/land.h"
 #include "engine/weather/field.h"
 #include "game/app/commands.h"
+#include "game/app/plan.h"
 
 namespace luftpost::app {
 namespace {
@@ -29,7 +30,7 @@ constexpr unsigned kUsualSeed = 1;
 
 /// The command's own options as the command line has them.
 struct SkyTexts {
-    std::string look, fov, exposure, frames, step;
+    std::string look, fov, exposure, frames, step, plan;
     fs::path output;
     bool panorama = false;
     bool dome = false;
@@ -45,6 +46,7 @@ struct SkyRequest {
     bool lapse = false;
     double step = 60.0;  // s
     fs::path output;
+    double plan_km = 0.0;  // 0: a picture, else the plan of a square this wide
 };
 
 bool isExr(fs::path const& file) { return file.extension() == ".exr"; }
@@ -83,6 +85,15 @@ void readLapse(SkyRequest& request, SkyTexts const& texts) {
     request.lastFrame = wholeOption("--frames", text.substr(colon + 1), request.firstFrame, kMostFrames);
 }
 
+void readPlan(SkyRequest& request, SkyTexts const& texts) {
+    if (texts.plan.empty()) return;
+    request.plan_km = numberOption("--plan", texts.plan, 0.001, 2000.0);
+    if (request.projection != render::Projection::perspective || !(texts.look.empty() && texts.fov.empty()) || request.lapse)
+        throw core::Error{"--plan", "", "expected not together with --look, --fov, --panorama, --dome or --frames"};
+    if (!isExr(request.output))
+        throw core::Error{"-o", "", fmt::format("expected FILE.exr with --plan, found {}", request.output.string())};
+}
+
 SkyRequest skyRequest(SkyTexts const& texts) {
     SkyRequest request;
     readView(request, texts);
@@ -95,6 +106,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
         throw core::Error{"-o", "",
                           fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
     core::checkOutputFolder("-o", request.output);
+    readPlan(request, texts);
     return request;
 }
 
@@ -158,6 +170,7 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.camera.projection = request.projection;
     snapshot.still = true;
     snapshot.graphics = common.settings.graphics;
+    snapshot.clouds = common.settings.clouds;
     snapshot.graphics.exposure_ev = request.exposure_ev;
     snapshot.time = scene.start + seconds;
     snapshot.simulationSeconds = seconds;
@@ -187,6 +200,10 @@ fs::path fileOfFrame(SkyRequest const& request, long long frame) {
 int runSky(SkyTexts const& texts, CommonOptions const& common) {
     SkyRequest const request = skyRequest(texts);
     Scene const scene{common};
+    if (request.plan_km > 0.0) {
+        writePlan(scene.field, {request.plan_km * 1000.0, common.size, scene.start, scene.seed, common.settings.clouds}, request.output);
+        return 0;
+    }
     auto const surface = platform::openHeadless(common.size);
     gl::prepareContext();
     render::Renderer renderer{{.size = common.size}};
@@ -211,6 +228,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_flag("--panorama", texts->panorama, "the whole sphere, equirectangular, north at the left edge");
     sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
     sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear)");
+    sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
     sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on");
     sky->add_option("--step", texts->step, "seconds between frames (default 60)");

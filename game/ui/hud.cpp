@@ -336,6 +336,7 @@ void drawTargetMarker(Pen const& pen, HudState const& state) {
     if (glm::length(marker.outward) > 0.5f) {  // turn that way
         glm::vec2 const tip = marker.at_px, way = marker.outward, side{-way.y, way.x};
         glm::vec2 const back = tip - 20.0f * pen.s * way;
+        pen.list.AddTriangleFilled(im(tip + 6.0f * pen.s * way), im(back + pen.s * (17.0f * side - 2.0f * way)), im(back - pen.s * (17.0f * side + 2.0f * way)), kHalo);
         pen.list.AddTriangleFilled(im(tip + 3.0f * pen.s * way), im(back + 14.0f * pen.s * side), im(back - 14.0f * pen.s * side), kPaper);
         pen.list.AddTriangleFilled(im(tip - 1.0f * pen.s * way), im(back + pen.s * (10.0f * side + 2.0f * way)), im(back + pen.s * (-10.0f * side + 2.0f * way)), kBlue);
         drawText(pen.list, pen.f.small, back - 22.0f * pen.s * way - pen.px(0, 8), kPaper, far, 0.5f);
@@ -343,12 +344,14 @@ void drawTargetMarker(Pen const& pen, HudState const& state) {
     }
     // A pin that hangs over the place and leaves it free; the name stays while it is far.
     glm::vec2 const tip = marker.at_px - pen.px(0, 10), head = tip - pen.px(0, 20);
+    pen.list.AddTriangleFilled(im(tip + pen.px(0, 3)), im(head + pen.px(-10, 5)), im(head + pen.px(10, 5)), kHalo);
+    pen.list.AddCircleFilled(im(head), 13.0f * pen.s, kHalo, 28);
     pen.list.AddTriangleFilled(im(tip), im(head + pen.px(-8, 5)), im(head + pen.px(8, 5)), kPaper);
     pen.list.AddCircleFilled(im(head), 11.0f * pen.s, kPaper, 28);
     pen.list.AddCircleFilled(im(head), 8.0f * pen.s, kBlue, 28);
     pen.list.AddCircleFilled(im(head), 3.2f * pen.s, kPaper, 16);
     std::string const label = distance > 600.0 && !state.target->name.empty() ? state.target->name + "  " + far : far;
-    drawText(pen.list, pen.f.small, head - pen.px(0, 31), kPaper, label, 0.5f);
+    drawText(pen.list, pen.f.small, head - pen.px(0, 33), kPaper, label, 0.5f);
 }
 }  // namespace
 

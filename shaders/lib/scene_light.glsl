@@ -26,6 +26,6 @@ vec3 litSurface(SurfaceMaterial material, vec3 normal, vec3 eye, float sunShare,
     vec3 mirror = material.straight * even.x + even.y;
     vec3 around = material.diffuse * (1.0 - mirror) * surroundingIrradiance(normal) / kSurfacePi +
                   mirror * surroundingRadiance(reflect(-eye, normal), material.roughness);
-    return direct * sunShare * frame.sunIrradiance.w + around * open;
+    return direct * sunShare + around * open;
 }
 #endif

@@ -1,5 +1,6 @@
 #version 450 core
 // A metallic-roughness surface under the frame's light.
+#include "shaders/lib/cloud_shadow.glsl"
 #include "shared/frame.glsl.h"
 #include "lib/camera.glsl"
 #include "lib/model_shadow.glsl"
@@ -44,7 +45,8 @@ void main() {
     SurfaceMaterial material = surfaceMaterial(base.rgb, factors.x * rough.b, factors.y * rough.g);
     float open = 1.0 + factors.w * (texture(occlusionTexture, fragmentUv).r - 1.0);
     vec3 eye = normalize(-fragmentRelative);
-    vec3 radiance = litSurface(material, shadingNormal(), eye, modelShadow(fragmentFlat), open);
+    vec3 place = vec3(fragmentFlat.x, fragmentFlat.y + frame.cameraWorld.y, fragmentFlat.z);
+    vec3 radiance = litSurface(material, shadingNormal(), eye, modelShadow(fragmentFlat) * cloudShadow(place), open);
     radiance += emissive * texture(emissiveTexture, fragmentUv).rgb / max(frame.exposure.y, 1e-12);
     colour = vec4(radiance * frame.exposure.x, base.a);
     motion = motionOf(clipNow, clipBefore);
