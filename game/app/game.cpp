@@ -15,7 +15,7 @@ constexpr double kPromptSeconds = 60.0;  // the first minute
 constexpr double kSaveAfter = 0.5;       // s without another change
 
 render::RendererOptions rendererOptions(RunOptions const& run) {
-    return {.size = run.size, .hotReload = !run.headless};
+    return {.size = run.size, .workers = run.workers, .hotReload = !run.headless};
 }
 
 /// Where a parcel released now would land, with the wind that is here.
@@ -66,7 +66,8 @@ void Game::frame(FrameStep const& step) {
 
 void Game::readDevices(FrameStep const& step) {
     if (!surface_.hasWindow()) return;
-    reading_ = devices_.read(surface_.poll(), screen_.wantsText(), screen_.wantsPointer(), step.wall);
+    input_ = &surface_.poll();
+    reading_ = devices_.read(*input_, screen_.wantsText(), screen_.wantsPointer(), step.wall);
     obey(reading_);
     if (surface_.closeRequested()) quit_ = true;
     if (plan_.courier || reading_.flight == sample_) return;
@@ -110,7 +111,7 @@ void Game::moveCamera(FrameStep const& step) {
 }
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
-    screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, reading_.screen);
+    screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, input_);
     ui::drawHud(hudState());
     drawPages();
     return screen_.end();
@@ -159,7 +160,6 @@ void Game::saveNow() {
 ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
-    hud.scale = settings_.hud.scale;
     hud.visible = settings_.hud.visible;
     hud.paused = paused();
     hud.score =

@@ -70,6 +70,7 @@ private:
     GameModels models_;
     ui::ScreenFrame screen_;
     ui::Devices devices_;
+    platform::Input const* input_ = nullptr;  // none without a window
     ui::DeviceReading reading_;
     ui::InputSample sample_;
     ui::Cameras cameras_;

@@ -8,6 +8,7 @@
 #include "engine/gl/context.h"
 #include "engine/platform/surface.h"
 #include "engine/terrain/streamer.h"
+#include "engine/weather/recording_text.h"
 #include "game/app/frame_clock.h"
 #include "game/app/game.h"
 #include "game/app/player_files.h"
@@ -35,13 +36,18 @@ terrain::CameraView viewOf(flight::AircraftState const& state) {
             .up = state.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}};
 }
 
+/// A recording's own bytes, so that its checksum stays; a preset as a recording.
+std::string weatherText(weather::Field const& field) {
+    bool const preset = field.origin().mode == weather::SourceMode::Preset;
+    return preset ? weather::recordingText(field.recording()) : core::readFile(field.recording().file);
+}
+
 /// What was asked for, written when the flight is over.
 void writeFiles(Session const& session, RunOptions const& run, FlightReport const& report) {
     if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
     if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
     if (!run.saveWeather.empty())
-        core::writeFileAtomically(run.saveWeather,
-                                  weather::recordingText(session.world().field().recording()));
+        core::writeFileAtomically(run.saveWeather, weatherText(session.world().field()));
     if (!run.report.empty()) core::writeFileAtomically(run.report, reportText(report));
 }
 
@@ -102,7 +108,7 @@ void flyWithPicture(PlayOptions options) {
     flyFrames(game, run, cost.frame_ms);
     game.saveNow();
     if (!run.screenshot.empty()) game.writePicture(run.screenshot);
-    cost.chunks = chunkFigures(game.renderer().landStats());
+    cost.chunks = chunkFigures(game.renderer().chunkStats());
     cost.glErrors = static_cast<std::size_t>(gl::errorCount());
     cost.gpu_mb = static_cast<double>(gl::allocatedBytes()) / kBytesPerMegabyte;
     writeFiles(game.session(), run, wholeReport(game.session(), game.settings(), cost));

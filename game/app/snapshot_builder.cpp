@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtx/quaternion.hpp>
 
 #include "engine/sky/sky_state.h"
 
@@ -205,6 +206,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.camera.worldFromCamera = view.camera.worldFromCamera;
     snapshot.camera.horizontalFov = view.camera.horizontalFov;
     snapshot.graphics = settings.graphics;
+    snapshot.clouds = settings.clouds;
     snapshot.time = simulation.utc();
     snapshot.simulationSeconds = simulation.seconds();
     snapshot.frameSeconds = view.seconds;

@@ -74,23 +74,6 @@ void readCamera(platform::Input const& input, bool wantsText, bool wantsPointer,
     camera.zoom = input.scrolled.y;
 }
 
-ScreenInput screenInput(platform::Input const& input) {
-    ScreenInput screen;
-    screen.pointer_px = glm::vec2{input.mouse};
-    for (std::size_t i = 0; i < input.mouseHeld.size(); ++i) screen.buttons[i] = input.mouseHeld[i];
-    screen.wheel = static_cast<float>(input.scrolled.y);
-    screen.text.assign(input.text.begin(), input.text.end());
-    screen.backspace = input.isHeld(Key::backspace);
-    screen.enter = input.isHeld(Key::enter) || input.isHeld(Key::keypadEnter);
-    screen.tab = input.isHeld(Key::tab);
-    screen.left = input.isHeld(Key::left);
-    screen.right = input.isHeld(Key::right);
-    screen.up = input.isHeld(Key::up);
-    screen.down = input.isHeld(Key::down);
-    screen.control = input.isHeld(Key::leftControl) || input.isHeld(Key::rightControl);
-    return screen;
-}
-
 void larger(float& value, float other) {
     if (std::abs(other) > std::abs(value)) value = other;
 }
@@ -103,7 +86,6 @@ DeviceReading Devices::read(platform::Input const& input, bool wantsText, bool w
     readCommands(input, wantsText, reading);
     readCamera(input, wantsText, wantsPointer, reading.camera);
     readPads(input, reading, seconds);
-    reading.screen = screenInput(input);
     return reading;
 }
 

@@ -9,7 +9,6 @@
 #include "game/ui/hud.h"
 #include "game/ui/input.h"
 #include "game/ui/menu.h"
-#include "game/ui/screen_frame.h"
 
 namespace luftpost::ui {
 /// What is not part of the flight: pressed in this frame.
@@ -29,7 +28,6 @@ enum class Command : unsigned {
 struct DeviceReading {
     InputSample flight;
     CameraInput camera;
-    ScreenInput screen;
     unsigned commands = 0;  // bit i: Command i went down since the last reading
     bool pressed(Command command) const { return (commands >> static_cast<unsigned>(command) & 1u) != 0; }
 };
