@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "engine/gl/draw.h"
 
@@ -85,11 +86,15 @@ terrain::CameraView cameraView(Camera const& camera, glm::ivec2 const& size) {
 }
 
 LandScene::LandScene(int workers)
-    : workers_{workers}, block_{sizeof(glsl::LandBlock), "land block"}, noShadow_{gl::Format::rg32f, {1, 1}, 1, "no shadow"} {
-    noShadow_.clear(glm::vec4{-1.0e6f, 1.0f, 0.0f, 0.0f});
+    : workers_{workers}, block_{sizeof(glsl::LandBlock), "land block"},
+      shadowTexture_{gl::Format::rg32f, glm::ivec2{terrain::kShadowSide}, 1, "land shadow"} {
+    shadowTexture_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
 }
 
 void LandScene::startOver(Snapshot const& snapshot, int step) {
+    shadowJobs_.reset();
+    shadow_.reset();
+    making_ = std::make_shared<Making>();
     streamer_.reset();
     textures_.clear();
     land_ = std::make_unique<terrain::Land>(snapshot.seed, snapshot.place.altitude_m);
@@ -97,6 +102,7 @@ void LandScene::startOver(Snapshot const& snapshot, int step) {
     options.workers = workers_;
     options.step = step;
     streamer_ = std::make_unique<terrain::Streamer>(*land_, options);
+    shadowJobs_ = std::make_unique<core::Jobs>(1);
 }
 
 void LandScene::update(FrameContext const& context) {
@@ -109,6 +115,7 @@ void LandScene::update(FrameContext const& context) {
     take(snapshot.still ? streamer_->finish(view) : streamer_->update(view));
     if (!list_.whole) take(streamer_->finishKept(view));  // the first frame, or a jump across the world
     chooseMesh(snapshot.graphics.triangles);
+    updateShadow(snapshot);
     fillBlock(context);
 }
 
@@ -138,6 +145,37 @@ void LandScene::chooseMesh(int budget) {
 
 int LandScene::trianglesDrawn() const { return mesh_ ? trianglesOf(quartersOf(list_.chunks), mesh_->stride) : 0; }
 
+// The map follows camera and sun in steps; a worker makes the next one while the last is in use.
+void LandScene::updateShadow(Snapshot const& snapshot) {
+    constexpr double kStale = 0.99998;  // cosine of a third of a degree
+    glm::dvec3 const& camera = snapshot.camera.positionWorld;
+    glm::dvec3 const sun = snapshot.sky.sunDirectionWorld;
+    glm::dvec2 const corner = terrain::shadowCorner({camera.x, -camera.z});
+    {
+        std::lock_guard const lock{making_->mutex};
+        if (making_->made) {
+            takeShadow(std::move(*making_->made));
+            making_->made.reset();
+        }
+    }
+    if (shadow_ && shadow_->corner == corner && glm::dot(shadow_->towardLight, sun) > kStale) return;
+    if (!shadow_ || snapshot.still) return takeShadow(terrain::makeShadowMap(*land_, corner, sun));
+    std::lock_guard const lock{making_->mutex};
+    if (std::exchange(making_->busy, true)) return;
+    shadowJobs_->submit(0.0, [making = making_, land = land_.get(), corner, sun] {
+        terrain::ShadowMap map = terrain::makeShadowMap(*land, corner, sun);
+        std::lock_guard const done{making->mutex};
+        making->made = std::move(map);
+        making->busy = false;
+    });
+}
+
+void LandScene::takeShadow(terrain::ShadowMap map) {
+    shadowTexture_.upload(std::span<float const>{&map.texels.front().x, map.texels.size() * 2});
+    map.texels.clear();
+    shadow_ = std::move(map);
+}
+
 void LandScene::fillBlock(FrameContext const& context) {
     glm::dvec3 const& camera = context.snapshot.camera.positionWorld;
     terrain::Runway const& runway = land_->runway();
@@ -146,13 +184,14 @@ void LandScene::fillBlock(FrameContext const& context) {
     block.levels = glm::vec4{land_->waterLevel(), terrain::kSnowLine, list_.aboveGround, camera.y};
     block.runway = glm::vec4{runway.directionEastNorth, runway.length, runway.width};
     block.home = glm::vec4{home, runway.altitude, glm::length(home) < 40'000.0 ? 1.0 : 0.0};
-    block.shadow = glm::vec4{0.0f};
+    glm::dvec2 const shadowCorner = shadow_->corner - glm::dvec2{camera.x, -camera.z};
+    block.shadow = glm::vec4{shadowCorner, 1.0 / terrain::kShadowWidth, 1.0};
     block_.update(gl::bytesOf(block));
 }
 
 void LandScene::bind() const {
     block_.bindUniform(6);
-    noShadow_.bind(1);
+    shadowTexture_.bind(1);
 }
 
 void LandScene::draw(terrain::DrawnChunk const& chunk, gl::Program const& program, glm::dvec3 const& camera) const {

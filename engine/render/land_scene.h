@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <unordered_map>
 
@@ -12,6 +13,7 @@
 #include "engine/gl/texture.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/render/frame_context.h"
+#include "engine/terrain/shadow_map.h"
 #include "engine/terrain/streamer.h"
 #include "shaders/shared/terrain.glsl.h"
 
@@ -57,6 +59,8 @@ private:
     void startOver(Snapshot const& snapshot, int step);
     void take(terrain::DrawList list);
     void chooseMesh(int budget);
+    void updateShadow(Snapshot const& snapshot);
+    void takeShadow(terrain::ShadowMap map);
     void fillBlock(FrameContext const& context);
 
     int workers_;
@@ -67,7 +71,17 @@ private:
     std::array<std::unique_ptr<GridMesh>, 6> meshes_;
     GridMesh const* mesh_ = nullptr;
     gl::Buffer block_;
-    gl::Texture2D noShadow_;
+
+    /// A shadow map in the making, shared with the worker.
+    struct Making {
+        std::mutex mutex;
+        bool busy = false;
+        std::optional<terrain::ShadowMap> made;
+    };
+    gl::Texture2D shadowTexture_;
+    std::optional<terrain::ShadowMap> shadow_;  // what the texture holds; its texels are not kept
+    std::shared_ptr<Making> making_ = std::make_shared<Making>();
+    std::unique_ptr<core::Jobs> shadowJobs_;    // last: ends before what it reads
 };
 
 /// How the streamer sees the snapshot's camera.

@@ -24,6 +24,7 @@
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
+#include "engine/render/vegetation_pass.h"
 #include "engine/render/view.h"
 #include "engine/render/water_pass.h"
 
@@ -75,6 +76,7 @@ struct Renderer::Parts {
           land{wanted.workers},
           terrain{programs},
           water{programs},
+          vegetation{programs},
           composite{programs},
           precipitation{programs},
           exposure{programs},
@@ -106,6 +108,7 @@ struct Renderer::Parts {
     LandScene land;
     TerrainPass terrain;
     WaterPass water;
+    VegetationPass vegetation;
     CompositePass composite;
     PrecipitationPass precipitation;
     ExposurePass exposure;
@@ -179,6 +182,7 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
 void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("chunks", [&] { land.update(context); });
     timer.pass("terrain", [&] { terrain.draw(context, land); });
+    timer.pass("trees", [&] { vegetation.draw(context, land); });
     timer.pass("water", [&] { water.draw(context, land); });
 }
 

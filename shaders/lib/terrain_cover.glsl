@@ -46,13 +46,13 @@ GLSL_FUNCTION LandCover landCover(LandPoint p, float footprint) {
     // Woods: on slopes too steep to plough, in patches on the flat, up to the tree line.
     float treeLine = kTreeLine + 160.0f * wide + 70.0f * patchy;
     float wooded = 0.62f * wide + 0.55f * patchy + 0.30f * middling + 0.7f * landRamp(0.008f, 0.05f, steep) + 0.5f * (cover.moisture - 0.62f);
-    cover.forest = landRamp(0.12f, 0.26f, wooded) * (1.0f - landRamp(treeLine - 120.0f, treeLine + 20.0f, p.altitude)) *
+    cover.forest = landRamp(0.155f, 0.205f, wooded) * (1.0f - landRamp(treeLine - 120.0f, treeLine + 20.0f, p.altitude)) *
                    (1.0f - landRamp(0.24f, 0.33f, steep)) * landRamp(1.5f, 4.0f, p.aboveWater) * landRamp(120.0f, 260.0f, p.clearing);
     cover.fields = (1.0f - landRamp(0.006f, 0.014f, steep + 0.002f * middling)) * (1.0f - landRamp(850.0f, 1100.0f, p.altitude + 120.0f * wide)) *
                    landRamp(3.0f, 8.0f, p.aboveWater + 3.0f * patchy) * landRamp(100.0f, 220.0f, p.clearing);
     float crag = steep + 0.05f * middling + 0.035f * patchy + 0.06f * landRamp(1500.0f, 2300.0f, p.altitude);
     cover.rock = landRamp(0.215f, 0.30f, crag);
-    cover.sand = 1.0f - landRamp(0.4f, 2.2f, p.aboveWater + 0.7f * middling);
+    cover.sand = 1.0f - landRamp(0.3f, 1.0f, p.aboveWater + 0.35f * middling);
     float snowFrom = p.snowLine + 130.0f * wide + 60.0f * patchy + 25.0f * middling + 260.0f * p.sunward;
     cover.snow = landRamp(snowFrom - 60.0f, snowFrom + 160.0f, p.altitude) * (1.0f - landRamp(0.30f, 0.42f, steep + 0.04f * middling));
     return cover;

@@ -3,6 +3,7 @@
 #define LUFTPOST_TERRAIN_LIGHT_GLSL
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/terrain.glsl.h"
+#include "shaders/lib/cloud_shadow.glsl"
 #include "shaders/lib/model_shadow.glsl"
 #include "shaders/lib/sky_tables.glsl"
 
@@ -21,7 +22,7 @@ float landLight(vec2 flatOffset, float altitude) {
 /// Share of the sun's light that comes past land, clouds and models to `offset` (m east and north of the camera, flat).
 float sunShare(vec2 offset, float altitude) {
     vec3 relative = vec3(offset.x, altitude - land.levels.w, -offset.y);
-    return landLight(offset, altitude) * modelShadow(relative) * frame.sunIrradiance.w;
+    return landLight(offset, altitude) * modelShadow(relative) * cloudShadow(vec3(relative.x, altitude, relative.z));
 }
 
 /// Radiance of a matt surface at `altitude`. `share`: of sunShare; `open`: what its own hollows leave of the sky.

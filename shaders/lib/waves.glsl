@@ -24,13 +24,13 @@ GLSL_FUNCTION WaveFace waveFace(vec2 place, vec2 wind, float seconds, float foot
     face.unresolved = slopeVariance(speed) * 0.35f;  // what is finer than the shortest wave here
     float share = slopeVariance(speed) * 0.65f / 10.0f;
     for (int i = 0; i < 10; ++i) {
-        float wavelength = 26.0f / exp2(0.46f * float(i));
+        float wavelength = 8.5f / exp2(0.37f * float(i));
         float turn = 0.9f * (fract(float(i) * 0.618034f + 0.3f) - 0.5f) * 2.0f;
         vec2 direction = vec2(along.x - turn * along.y, along.y + turn * along.x);
         float cycles = float(kWavePeriod) / (wavelength * sqrt(1.0f + turn * turn));
         vec2 whole = vec2(floor(direction.x * cycles + 0.5f), floor(direction.y * cycles + 0.5f));
         float number = 6.2831853f * sqrt(whole.x * whole.x + whole.y * whole.y) / float(kWavePeriod);
-        float shown = clamp(0.5f * wavelength / max(footprint, 1e-3f) - 1.0f, 0.0f, 1.0f);
+        float shown = clamp(0.3f * wavelength / max(footprint, 1e-3f) - 1.0f, 0.0f, 1.0f);
         if (number > 0.0f && shown > 0.0f) {
             float phase = 6.2831853f * fract((whole.x * place.x + whole.y * place.y) / float(kWavePeriod)) -
                           sqrt(9.81f * number) * seconds + 2.4f * float(i);

@@ -1,5 +1,4 @@
 #version 450 core
-#include "shaders/lib/cloud_shadow.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/terrain_mesh.glsl"
 #include "shaders/lib/terrain_light.glsl"
@@ -48,7 +47,6 @@ void main() {
     vec3 tilted = roughened(normal, face, footprint);
     tilted = normalize(tilted + vec3(world.x, 0.0, world.z) / kCurvatureRadius);
     float open = 1.0 - 0.35 * face.canopy;
-    float free = sunShare(offset, ground.x) * cloudShadow(vec3(offset.x, ground.x, -offset.y));
-    colour = vec4(mattLight(albedo, tilted, ground.x, free, open) * frame.exposure.x, 1.0);
+    colour = vec4(mattLight(albedo, tilted, ground.x, sunShare(offset, ground.x), open) * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);
 }

@@ -26,6 +26,7 @@ public:
         snapshot_.camera.horizontalFov = fov;
         snapshot_.camera.worldFromCamera =
             glm::angleAxis(-azimuth, glm::dvec3{0.0, 1.0, 0.0}) * glm::angleAxis(elevation, glm::dvec3{1.0, 0.0, 0.0});
+        snapshot_.sky.sunDirectionWorld = sun_;
         fillFrame();
         scene_.update(FrameContext{snapshot_, frame_, targets_});
     }
