@@ -134,6 +134,15 @@ void readAir(Airframe const& airframe, AircraftState& state, core::AirSample con
     now.stallHorn = margin < kHornMargin && now.tas > 10.0;
 }
 
+void readLoads(AircraftState& state, Loads const& loads, core::AirSample const& air, double mass) {
+    Readings& now = state.readings;
+    glm::dvec3 const perWeight = loads.force / (mass * core::kGravity);
+    glm::dvec3 const through = glm::conjugate(state.worldFromBody) * (state.velocityWorld - air.windWorld);
+    now.loadFactor = perWeight.y;
+    now.sideLoad = perWeight.z;
+    now.excess = glm::dot(perWeight, through) / std::max(glm::length(through), 1.0);
+}
+
 /// All readings but the loads, which the step knows.
 void takeReadings(Airframe const& airframe, AircraftState& state, MassProperties const& masses,
                   core::AirSample const& air, core::GroundSample const& below) {
@@ -275,8 +284,7 @@ void Aircraft::step(Controls const& stick, AssistLevel level, AssistSettings con
                      strikeUnderGround(airframe_, state_, masses, below, ground));
         carryOn(airframe_, state_, fromAir, centre);
         state_.readings.thrust = fromAir.propeller.thrust;
-        state_.readings.loadFactor = loads.force.y / (masses.mass * core::kGravity);
-        state_.readings.sideLoad = loads.force.z / (masses.mass * core::kGravity);
+        readLoads(state_, loads, centre, masses.mass);
         setMotion(state_, moved(motionOf(state_), loads, gravityWorld(), masses.mass, masses.inertia, kTick));
     }
     ++state_.tick;

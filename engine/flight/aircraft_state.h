@@ -41,6 +41,7 @@ struct Readings {
     double rollRate = 0.0, pitchRate = 0.0, yawRate = 0.0;  // rad/s: p right, q nose up, r nose right
     double loadFactor = 1.0;                                // along body up, 1 in level flight
     double sideLoad = 0.0;      // along body right, in g: the slip ball moves against it
+    double excess = 0.0;        // thrust less drag over weight: the climb angle that keeps the speed
     double groundSpeed = 0.0;   // m/s
     double climb = 0.0;         // m/s
     double height = 0.0;        // m, of the lowest wheel above the ground under the aircraft
@@ -95,7 +96,7 @@ void forEachNumber(AircraftState const& s, Take&& take) {
     controls(s.trim), controls(s.commands), controls(s.surfaces);
     AssistMemory const& a = s.assist;
     for (double value : {a.climbAngle, a.heldAltitude, a.holdsAltitude, a.heldBank, a.pitchIntegral,
-                         a.rollIntegral, a.yawIntegral, a.throttleIntegral, a.startSpeed})
+                         a.rollIntegral, a.yawIntegral, a.throttleIntegral, a.excess, a.startSpeed})
         take(value);
     for (StripState const& strip : s.strips) take(strip.separation), vector(strip.windWorld);
     for (WheelState const& wheel : s.wheels) take(wheel.compression), take(wheel.contact ? 1.0 : 0.0);

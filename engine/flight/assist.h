@@ -28,6 +28,7 @@ struct AssistMemory {
     double rollIntegral = 0.0;
     double yawIntegral = 0.0;
     double throttleIntegral = 0.0;
+    double excess = 0.0;            // thrust less drag over weight, smoothed: the climb angle that keeps the speed
     double startSpeed = 0.0;  // m/s calibrated, what easy holds with the lever where the start put it
 };
 }  // namespace luftpost::flight

@@ -53,6 +53,9 @@ double stallAlpha(Flight const& f) {
     return least;
 }
 
+/// 1 on the ground, 0 well above it.
+double nearGround(Flight const& f) { return 1.0 - std::clamp((f.now.height - 6.0) / 18.0, 0.0, 1.0); }
+
 /// Close above the ground with the lever back one means to land: a height held there would end in a stall.
 bool landing(Flight const& f) { return f.now.height < kFlareHeight && f.stick.throttle < 0.2; }
 /// The soft path down: the sink that the height allows.
@@ -61,7 +64,7 @@ double landingPath(Flight const& f) { return -(0.5 + 0.2 * std::max(f.now.height
 /// Elevator that flies the load factor `wanted`, never past the stall.
 double elevatorForLoad(Flight const& f, double wanted, AssistMemory& memory) {
     double const slope = loadFactorSlope(f);
-    double const guard = stallAlpha(f) + radiansOf(f.now.height < kFlareHeight ? 0.8 : -0.5);
+    double const guard = stallAlpha(f) + radiansOf(-0.5 + 1.3 * nearGround(f));
     double const alpha = std::clamp(f.now.alpha + (std::clamp(wanted, -1.5, 4.5) - f.now.loadFactor) / slope,
                                     radiansOf(-10.0), guard);
     double const load = f.now.loadFactor + (alpha - f.now.alpha) * slope;
@@ -87,15 +90,19 @@ double stallSpeed(Flight const& f) {
            f.state.surfaces.flaps * (f.airframe.stallSpeedFlaps - f.airframe.stallSpeed);
 }
 
-/// Keeps a load factor from taking the path where the speed would run out, up or down. Near the ground, where
-/// one lands, it may be slow.
-double guardedLoad(Flight const& f, double load) {
-    double const margin = f.now.height < kFlareHeight ? 1.0 : 1.25, stall = stallSpeed(f);
-    double const steepest = std::clamp(1.2 * (f.now.cas / stall - margin), -0.2, radiansOf(50.0));
+/// Keeps a load factor from taking the path where the speed would run out, up or down. The path that keeps
+/// the speed is the one that thrust less drag carries; above a fifth over the stall there is speed to spend
+/// on more, below it the path must give some back. Near the ground, where one takes off and lands, it may be
+/// slow.
+double guardedLoad(Flight const& f, double load, AssistMemory& memory) {
+    memory.excess += std::min(f.dt / 0.5, 1.0) * (f.now.excess - memory.excess);
+    double const margin = 1.18 - 0.16 * nearGround(f);
+    double const steepest =
+        std::clamp(memory.excess + 0.9 * (f.now.cas / stallSpeed(f) - margin), -0.25, radiansOf(50.0));
     double const dive =
         std::clamp((f.now.cas - 0.97 * f.airframe.neverExceedSpeed) / 20.0, radiansOf(-60.0), 0.1);
-    return std::clamp(load, loadForPath(f, dive, 0.4),
-                      std::max(loadForPath(f, steepest, 0.4), loadForPath(f, dive, 0.4)));
+    double const least = loadForPath(f, dive, 0.4);
+    return std::clamp(load, least, std::max(loadForPath(f, steepest, 0.4), least));
 }
 
 /// The climb angle that brings the held altitude back.
@@ -151,8 +158,10 @@ SurfaceCommands groundCommands(Flight const& f, bool easy, AssistMemory& memory)
         f.now.groundSpeed > 2.0 ? std::clamp(memory.yawIntegral + 2.0 * error * f.dt, -0.6, 0.6) : 0.0;
     if (easy && f.stick.throttle < 0.05)
         out.brakes = std::max(out.brakes, 0.4);  // landed: it stops by itself
-    memory =
-        AssistMemory{.climbAngle = f.climbAngle, .yawIntegral = yawIntegral, .startSpeed = memory.startSpeed};
+    memory = AssistMemory{.climbAngle = f.climbAngle,
+                          .yawIntegral = yawIntegral,
+                          .excess = f.now.excess,
+                          .startSpeed = memory.startSpeed};
     memory.pitchIntegral = out.elevator - f.state.trim.elevator;
     return out;
 }
@@ -204,7 +213,7 @@ SurfaceCommands normalCommands(Flight const& f, AssistMemory& memory) {
         memory.holdsAltitude = 0.0;
         memory.climbAngle = path;
     }
-    double load = guardedLoad(f, loadForPath(f, path) + pull);
+    double load = guardedLoad(f, loadForPath(f, path) + pull, memory);
     // A pull softens the landing, but does not carry the aircraft up again to where it would drop from.
     if (landing(f)) load = std::min(load, loadForPath(f, 0.6 * landingPath(f), 0.4));
     out.elevator = elevatorForLoad(f, load, memory);
@@ -267,7 +276,7 @@ SurfaceCommands easyCommands(Flight const& f, AssistMemory& memory) {
     out.aileron =
         aileronForRate(f, guardedRollRate(easyRollRate(f, memory), f.now.roll, kNormalBankLimit), memory);
     double const path = easyClimbAngle(f, memory);
-    out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path)), memory);
+    out.elevator = elevatorForLoad(f, guardedLoad(f, loadForPath(f, path), memory), memory);
     out.rudder = rudderForTurn(f, f.stick.rudder, memory);
     out.throttle = landing(f) ? 0.0 : throttleForSpeed(f, path, memory);
     return out;

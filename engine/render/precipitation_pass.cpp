@@ -46,8 +46,8 @@ void PrecipitationPass::draw(FrameContext const& context) {
     double const share = std::clamp((snow ? 0.35 : 0.16) * std::pow(rate, 0.6), 0.02, 0.8);
     program_.use();
     program_.set("axisAndFallen", glm::vec4{glm::dvec4{velocity / speed, fallen_}});
-    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.009f : 0.0018f, static_cast<float>(share),
-                                        snow ? 1.5f : 1.1f});
+    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.008f : 0.0013f, static_cast<float>(share),
+                                        snow ? 1.2f : 0.8f});
     context.targets.depth.bind(0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(context.targets.size, {8, 8});

@@ -56,6 +56,9 @@ void SkyPass::makeLight(View const& view) {
     light_ = sky::skyLight(view.state, *tables_, view.altitude, view.conditions);
     block_.air = sky::atmosphere(view.conditions);
     block_.air.ground = glm::vec4{light_.groundRadiance, block_.air.ground.w};
+    // Over all directions: half of them see the sky's radiance, half the land's.
+    glm::vec3 const under = 0.5f * (light_.sky / static_cast<float>(core::kPi) + light_.groundRadiance);
+    block_.air.under = glm::vec4{under, static_cast<float>(view.conditions.cover)};
     block_.lights.sun = withRadius(view.state.sunDirectionWorld, view.state.sunAngularRadius);
     block_.lights.sunLight = glm::vec4{1.0f};
     block_.lights.moon = withRadius(view.state.moonDirectionWorld, view.state.moonAngularRadius);

@@ -15,8 +15,8 @@ constexpr int kSteps = 24;
 
 // 1/m at sea level. The ratios are those of Rayleigh-scattered sunlight in Rec. 709 (chromaticity 0.24, 0.24) to
 // sunlight itself: Rec. 709's negative lobes make them steeper than the wavelengths of its primaries would.
-constexpr glm::vec3 kRayleigh{7.1e-6f, 12.2e-6f, 25.5e-6f};
-constexpr glm::vec3 kOzone{2.47e-6f, 1.56e-6f, 0.27e-6f};    // 1/m at 25 km
+constexpr glm::vec3 kRayleigh{6.5e-6f, 12.3e-6f, 25.5e-6f};
+constexpr glm::vec3 kOzone{1.8e-6f, 1.9e-6f, 0.2e-6f};  // 1/m at 25 km, by the same reckoning
 constexpr double kCleanestHaze = 3.0e-6;                     // 1/m: no air near the ground is cleaner
 constexpr double kThickestHaze = 3.0 / 12000.0;              // 1/m
 constexpr float kGreenWavelength = 545.0f;                   // nm
@@ -48,20 +48,20 @@ glsl::Atmosphere atmosphere(AirConditions const& conditions) {
     double const haze = std::clamp(wanted, kCleanestHaze, kThickestHaze);
     double const fog = std::max(wanted - haze, 0.0);
     double const direct = directShareUnder(conditions.cover);
-    double const diffuse = globalShareUnder(conditions.cover);
     auto const f = [](double value) { return static_cast<float>(value); };
     glsl::Atmosphere air;
     air.rayleigh = glm::vec4{kRayleigh, 8000.0f};
     air.haze = glm::vec4{hazeColour(f(haze)), 1800.0f};
-    air.ozone = glm::vec4{kOzone, 0.76f};
-    air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), 0.94f};
-    air.cover = glm::vec4{f(conditions.cloudBase), f(direct), f(diffuse), 0.0f};
+    air.ozone = glm::vec4{kOzone, 0.8f};
+    air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), 0.92f};
+    air.cover = glm::vec4{f(conditions.cloudBase), f(direct), 0.0f, 0.0f};
+    air.under = glm::vec4{0.0f, 0.0f, 0.0f, 0.0f};
     air.ground = glm::vec4{0.0f, 0.0f, 0.0f, f(conditions.groundAlbedo)};
     return air;
 }
 
 double globalShareUnder(double cover) { return 1.0 - 0.75 * std::pow(std::clamp(cover, 0.0, 1.0), 3.4); }
-double directShareUnder(double cover) { return 1.0 - std::clamp(cover, 0.0, 1.0); }
+double directShareUnder(double cover) { return std::pow(1.0 - std::clamp(cover, 0.0, 1.0), 1.5); }
 
 AtmosphereTables::AtmosphereTables(glsl::Atmosphere const& air) : air_{air} {
     transmittance_ = table(kTransmittanceWidth, kTransmittanceHeight, [&](glm::vec2 uv) {

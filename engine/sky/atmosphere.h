@@ -27,7 +27,8 @@ glsl::Atmosphere atmosphere(AirConditions const& conditions);
 
 /// Share of the clear day's global irradiance under `cover` (Kasten and Czeplak 1980, Solar Energy 24, 177).
 double globalShareUnder(double cover);
-/// Share of the direct beam that comes through `cover` in the mean over the land.
+/// Share of the direct beam that comes through `cover` in the mean over the land: less than the gaps from above, since
+/// clouds have sides.
 double directShareUnder(double cover);
 
 /// The two tables of an atmosphere on the CPU, and what follows from them. Immutable once made (some 10 ms of work);

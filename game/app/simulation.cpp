@@ -50,7 +50,7 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
       payload_{options.payload},
       fuel_{options.fuel} {
     startFlight(options);
-    stick_.setThrottle(aircraft_.state().trim.throttle);
+    stick_.setThrottle(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
     before_ = aircraft_.state();
 }
 
@@ -147,7 +147,7 @@ void Simulation::respawn() {
     };
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
-    stick_.setThrottle(aircraft_.state().trim.throttle);
+    stick_.setThrottle(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
     before_ = aircraft_.state();
     note(FlightEvent::respawned, aircraft_.state().positionWorld);
 }

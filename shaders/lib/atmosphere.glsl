@@ -249,17 +249,17 @@ struct AirLight {
     vec3 transmittance;  // of the air on the way
 };
 
-/// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under a
-/// cover of clouds the direct light is dimmed by it and the astray light too.
+/// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under
+/// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
                             AirAt here, float h, float muLight, float nu) {
     float below = 1.0f - smoothstep(0.8f * air.cover.x, air.cover.x + 1.0f, h);
     float direct = mix(1.0f, air.cover.y, below);
-    float diffuse = mix(1.0f, air.cover.z, below);
     vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu, air.ozone.w);
     vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
     vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
-    return once * light * direct + (here.rayleigh + here.haze) * psi * diffuse;
+    vec3 astray = mix(psi, vec3(air.under), vec3(below * air.under.w));
+    return once * light * direct + (here.rayleigh + here.haze) * astray;
 }
 
 /// Adds the air between distances `start` and `end` of the ray to `sum`. The source is constant in the step, and its

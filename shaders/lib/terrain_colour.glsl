@@ -61,6 +61,7 @@ GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprin
     float tufts = detailNoise(p.origin, p.offset, 1, 31u, footprint);
     float clumps = detailNoise(p.origin, p.offset, 3, 32u, footprint);
     float spots = detailNoise(p.origin, p.offset, 5, 33u, footprint);
+    float broken = detailNoise(p.origin, p.offset, 6, 36u, footprint);
     float fine = 0.45f * tufts + 0.35f * clumps + 0.35f * spots;
     LandColour result;
     // Meadow, lush to dry, and paler alpine grass above the trees.
@@ -78,13 +79,14 @@ GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprin
     float crowns = detailNoise(p.origin, p.offset, 3, 34u, footprint);
     float conifers = landRamp(500.0f, 1200.0f, p.altitude + 300.0f * cover.middling);
     vec3 canopy = mix(vec3(0.088f, 0.142f, 0.042f), vec3(0.050f, 0.095f, 0.045f), conifers) *
-                  (1.0f + 0.55f * crowns + 0.30f * clumps + 0.22f * spots + 0.16f * cover.middling);
-    colour = mix(colour, canopy, cover.forest);
-    result.canopy = cover.forest;
-    result.bump = mix(result.bump, 0.55f, cover.forest);
+                  (1.0f + 0.55f * crowns + 0.30f * clumps + 0.28f * spots + 0.30f * broken + 0.16f * cover.middling);
+    float wooded = clamp(cover.forest + (0.9f * spots + 0.7f * broken) * cover.forest * (1.0f - cover.forest) * 4.0f, 0.0f, 1.0f);
+    colour = mix(colour, canopy, wooded);
+    result.canopy = wooded;
+    result.bump = mix(result.bump, 0.55f, wooded);
     // Rock in banks, scree below, grass on its ledges.
     float banks = detailNoise(p.origin, vec2(p.offset.x * 0.15f, p.altitude + 0.3f * p.offset.y), 4, 35u, footprint);
-    vec3 rock = mix(vec3(0.250f, 0.235f, 0.215f), vec3(0.330f, 0.310f, 0.275f), 0.5f + 0.5f * cover.middling) * (1.0f + 0.30f * fine + 0.30f * banks);
+    vec3 rock = mix(vec3(0.250f, 0.235f, 0.215f), vec3(0.330f, 0.310f, 0.275f), 0.5f + 0.5f * cover.middling) * (1.0f + 0.30f * fine + 0.30f * banks + 0.35f * broken);
     colour = mix(colour, rock, cover.rock);
     result.bump = mix(result.bump, 0.45f, cover.rock);
     vec3 sand = vec3(0.320f, 0.285f, 0.215f) * (1.0f + 0.15f * fine);

@@ -14,7 +14,11 @@ layout(location = 1) out vec2 motion;
 
 /// Tilts the normal by fine relief that the mesh does not have.
 vec3 roughened(vec3 normal, LandColour face, float footprint) {
-    if (footprint > 12.0) return normal;
+    if (footprint > 60.0) return normal;
+    vec2 broad = vec2(detailNoise(chunkOrigin.xy, place, 6, 45u, footprint), detailNoise(chunkOrigin.xy, place, 6, 46u, footprint)) +
+                 0.7 * vec2(detailNoise(chunkOrigin.xy, place, 5, 47u, footprint), detailNoise(chunkOrigin.xy, place, 5, 48u, footprint));
+    normal = normalize(normal + 0.55 * face.bump * vec3(broad.x, 0.0, broad.y));
+    if (footprint > 8.0) return normal;
     vec2 tilt = vec2(detailNoise(chunkOrigin.xy, place, 2, 41u, footprint), detailNoise(chunkOrigin.xy, place, 2, 42u, footprint)) +
                 0.6 * vec2(detailNoise(chunkOrigin.xy, place, 4, 43u, footprint), detailNoise(chunkOrigin.xy, place, 4, 44u, footprint));
     return normalize(normal + face.bump * vec3(tilt.x, 0.0, tilt.y));

@@ -5,11 +5,15 @@
 #include "engine/core/frames.h"
 #include "engine/gl/draw.h"
 #include "engine/render/terrain_pass.h"
+#include "shaders/shared/cloud.glsl.h"
+#include "shaders/shared/sky_block.glsl.h"
 
 namespace luftpost::render {
 class LandPicture {
 public:
     explicit LandPicture(glm::ivec2 const& size) : targets_{size}, buffer_{sizeof(glsl::FrameBlock), "frame"} {
+        sky_.clear();
+        clouds_.clear();
         snapshot_.seed = 1;
         snapshot_.place.altitude_m = 316.0;
     }
@@ -37,6 +41,8 @@ public:
         targets_.opaque.clearDepth();
         buffer_.update(gl::bytesOf(frame_));
         buffer_.bindUniform(0);
+        sky_.bindUniform(9);
+        clouds_.bindUniform(glsl::kCloudBlockBinding);
         pass_.draw(context, scene_);
     }
 
@@ -80,6 +86,7 @@ private:
     Targets targets_;
     glsl::FrameBlock frame_{};
     gl::Buffer buffer_;
+    gl::Buffer sky_{sizeof(glsl::SkyBlock), "no sky"}, clouds_{sizeof(glsl::CloudBlock), "no clouds"};
     LandScene scene_{2};
     TerrainPass pass_{programs_};
 };
