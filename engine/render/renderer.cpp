@@ -278,5 +278,6 @@ void Renderer::setTiming(bool on) {
     if (!on) parts_->times.clear();
 }
 terrain::StreamerStats Renderer::chunkStats() const { return parts_->land.stats(); }
+std::size_t Renderer::cloudBytes() const { return parts_->clouds.bytes(); }
 std::vector<PassTime> const& Renderer::passTimes() const { return parts_->times; }
 }  // namespace luftpost::render
