@@ -34,7 +34,12 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
       view_{gl::Format::rgba32f, kViewSize, 1, "sky view"},
       aerial_{gl::Format::rgba32f, kAerialSize, 1, "aerial radiance"},
       aerialThrough_{gl::Format::rgba32f, kAerialSize, 1, "aerial transmittance"},
-      buffer_{sizeof(glsl::SkyBlock), "sky block"} {}
+      buffer_{sizeof(glsl::SkyBlock), "sky block"} {
+    // The azimuth wraps; the shaders keep the other coordinates inside.
+    view_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+    aerial_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+    aerialThrough_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);
+}
 
 bool SkyPass::airChanged(sky::AirConditions const& now) const {
     return !tables_ || differs(now.visibility, tablesMadeFor_.visibility, 0.02, 0.0) ||

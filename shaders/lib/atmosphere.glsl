@@ -318,10 +318,18 @@ GLSL_FUNCTION float elevationArgument(float h, float coordinate) {
     return clamp(horizon + x * abs(x) * range, -0.5f * kAirPi, 0.5f * kAirPi);
 }
 
-/// Azimuth from the sun's, -pi..pi, -> 0..1 with the sun at 0.5.
-GLSL_FUNCTION float azimuthCoordinate(float fromSun) { return 0.5f + 0.5f * sin(0.5f * fromSun); }
+/// Azimuth from the sun's, -pi..pi, -> 0..1 with the sun at 0.5, seven times finer there than opposite; the table's
+/// ends are neighbours (its x wraps), for the moon knows no symmetry about the sun.
+GLSL_FUNCTION float azimuthCoordinate(float fromSun) {
+    float x = fromSun / kAirPi;
+    return 0.5f + 0.5f * x * (1.4f - 0.4f * x * x);
+}
+/// Its inverse by Newton's method.
 GLSL_FUNCTION float azimuthArgument(float coordinate) {
-    return 2.0f * asin(clamp(2.0f * coordinate - 1.0f, -1.0f, 1.0f));
+    float s = 2.0f * coordinate - 1.0f;
+    float x = s;
+    for (int i = 0; i < 6; ++i) x -= (x * (1.4f - 0.4f * x * x) - s) / (1.4f - 1.2f * x * x);
+    return x * kAirPi;
 }
 
 /// Azimuth of `direction` seen from the azimuth of `toward` (both world: x east, y up, z south), -pi..pi, clockwise.
@@ -343,7 +351,7 @@ GLSL_FUNCTION vec3 directionFrom(float azimuth, float elevation, vec3 toward) {
 GLSL_FUNCTION vec2 skyCoordinate(vec2 size, float h, vec3 direction, vec3 sun) {
     float y = elevationCoordinate(h, asin(clamp(direction.y, -1.0f, 1.0f)));
     float guard = 0.5f / size.y;
-    y = y >= 0.5f ? max(y, 0.5f + guard) : min(y, 0.5f - guard);
+    y = y >= 0.5f ? clamp(y, 0.5f + guard, 1.0f - guard) : clamp(y, guard, 0.5f - guard);
     return vec2(azimuthCoordinate(azimuthFrom(direction, sun)), y);
 }
 
@@ -359,8 +367,8 @@ GLSL_FUNCTION float aerialDistance(float slice, float slices) {
 
 GLSL_FUNCTION vec3 aerialCoordinate(vec3 size, float h, vec3 direction, vec3 sun, float distance) {
     float share = pow(clamp(distance / kAerialReach, 0.0f, 1.0f), 1.0f / 3.0f);
-    return vec3(azimuthCoordinate(azimuthFrom(direction, sun)),
-                elevationCoordinate(h, asin(clamp(direction.y, -1.0f, 1.0f))),
+    float y = elevationCoordinate(h, asin(clamp(direction.y, -1.0f, 1.0f)));
+    return vec3(azimuthCoordinate(azimuthFrom(direction, sun)), clamp(y, 0.5f / size.y, 1.0f - 0.5f / size.y),
                 (share * (size.z - 1.0f) + 0.5f) / size.z);
 }
 

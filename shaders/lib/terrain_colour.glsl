@@ -62,7 +62,10 @@ GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprin
     float clumps = detailNoise(p.origin, p.offset, 3, 32u, footprint);
     float spots = detailNoise(p.origin, p.offset, 5, 33u, footprint);
     float broken = detailNoise(p.origin, p.offset, 6, 36u, footprint);
-    float fine = 0.45f * tufts + 0.35f * clumps + 0.35f * spots;
+    // Half a metre: the same noise on a map four times as large.
+    float blades = visibleShare(0.25f, footprint);
+    if (blades > 0.0f) blades = blades * landNoise(ivec2(p.origin.x * 4, p.origin.y * 4), p.offset * 4.0f, 1, 37u);
+    float fine = 0.45f * blades + 0.45f * tufts + 0.35f * clumps + 0.35f * spots;
     LandColour result;
     // Meadow, lush to dry, and paler alpine grass above the trees.
     vec3 lush = vec3(0.125f, 0.220f, 0.060f);

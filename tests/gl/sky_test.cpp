@@ -67,6 +67,19 @@ TEST_F(Sky, MeetsFarLandWithoutALine) {
     }
 }
 
+TEST_F(Sky, HasNoSeamOppositeTheSunOnAMoonlitNight) {
+    auto snapshot = skySnapshot(300.0, 0.0, 20.0, -25.0);  // looks away from the sun, which stands at azimuth 180
+    snapshot.camera.horizontalFov = 0.3;
+    snapshot.sky.moonDirectionWorld = sky::directionWorld(1.2, 0.4);
+    auto const picture = rig().draw(snapshot);
+    auto const dimmest = [&](int x) {  // of a column: without the stars
+        float least = luminanceAt(picture, x, 0);
+        for (int y = 1; y < 48; ++y) least = std::min(least, luminanceAt(picture, x, y));
+        return least;
+    };
+    for (int x = 0; x < 63; ++x) EXPECT_NEAR(dimmest(x + 1) / dimmest(x), 1.0f, 0.02f) << x;
+}
+
 TEST_F(Sky, VeilsTheLandMoreTheFartherItIs) {
     auto snapshot = skySnapshot(500.0, 0.0, -2.0, 45.0);
     float previous = 0.0f;
