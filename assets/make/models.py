@@ -10,7 +10,8 @@ about an axis of their own:
     wheel_left/right, wheel_nose       z   (- rolling forward)
     yoke_left/right                    x   (+ turned right)
 `propeller` holds the blades alone, to be hidden for `propeller_disc` at speed; `spinner` stays. From the seat
-`exterior_fuselage` and `pilot` may be hidden: `interior_cabin` and `cowling` stay. `glass` is blended.
+`exterior_fuselage` and `pilot` may be hidden: `interior_cabin` and `cowling` stay. `glass` (blended) is
+a child of `exterior_fuselage`.
 """
 import math
 import os
@@ -592,9 +593,9 @@ def plane():
     outside = Mesh().extend(skin).extend(fin_mesh)
     surfaces = Mesh().extend(wing_mesh).extend(stab).extend(struts()).extend(gear).extend(lights())
     inside = Mesh().extend(cabin).extend(cockpit())
-    roots = [Node("exterior_fuselage", outside), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside),
+    roots = [Node("exterior_fuselage", outside, children=[Node("glass", glass)]), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside),
              Node("pilot", pilot()), Node("yoke_left", yoke(), at=(0.58, 0.10, -0.27)), Node("yoke_right", yoke(), at=(0.58, 0.10, 0.27)),
-             *wing_nodes, elevator, rudder, *wheels, turning, spinner, disc, Node("glass", glass)]
+             *wing_nodes, elevator, rudder, *wheels, turning, spinner, disc]
     writer = Writer(PLANE_MATERIALS, {"side": livery.side_png(), "wing": livery.wing_png()})
     writer.save(os.path.join(OUT, "plane.glb"), [Node("plane", children=roots)])
 

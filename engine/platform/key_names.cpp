@@ -63,6 +63,13 @@ std::optional<Key> keyFromToken(std::string_view token) {
 }
 
 std::string keyLabel(Key key) {
+    switch (key) {  // as they are printed everywhere
+        case Key::left: return "\u2190";
+        case Key::up: return "\u2191";
+        case Key::right: return "\u2192";
+        case Key::down: return "\u2193";
+        default: break;
+    }
     if (glfwGetCurrentContext())
         if (char const* printed = glfwGetKeyName(static_cast<int>(key), 0); printed && *printed) return upper(printed);
     std::string const token = keyToken(key);

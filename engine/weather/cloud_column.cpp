@@ -10,7 +10,7 @@
 namespace luftpost::weather {
 namespace {
 constexpr float kEmpty = -1.0f;   // no rank, however frayed, is below it
-constexpr float kClosed = 1.3f;   // every rank is, by far
+constexpr float kClosed = 2.0f;   // every rank is, by far
 
 /// How a genus is formed; the columns are LayerShape's form and look.
 struct Form {

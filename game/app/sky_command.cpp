@@ -171,7 +171,8 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.still = true;
     snapshot.graphics = common.settings.graphics;
     snapshot.clouds = common.settings.clouds;
-    snapshot.graphics.exposure_ev = request.exposure_ev;
+    snapshot.graphics.exposure_ev += request.exposure_ev;
+    snapshot.graphics.resolution = 1.0f;  // a still has the size that was asked for
     snapshot.time = scene.start + seconds;
     snapshot.simulationSeconds = seconds;
     snapshot.frameSeconds = 0.0;

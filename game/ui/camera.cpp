@@ -7,8 +7,8 @@
 
 namespace luftpost::ui {
 namespace {
-constexpr double kChaseBack = 15.0;    // m behind the centre of gravity at rest
-constexpr double kChaseUp = 3.6;
+constexpr double kChaseBack = 16.0;    // m behind the centre of gravity at rest
+constexpr double kChaseUp = 5.0;     // so high that what lies ahead is seen over the wing
 constexpr double kChaseSeconds = 0.28;  // the lag with which it follows a turn
 constexpr double kAheadSeconds = 0.9;   // it looks at where the aircraft will be, a little over the nose
 constexpr double kCruise = 55.0;        // m/s: the breath's unit
@@ -92,7 +92,7 @@ void Cameras::advanceChase(CameraSubject const& subject, CameraInput const& inpu
     offset = glm::angleAxis(-around_.y, side) * offset;
     pose_.positionWorld = subject.positionWorld + offset;
     double const ahead = std::max(0.0, std::cos(around_.x)) * kAheadSeconds * 12.0;
-    glm::dvec3 const aim = subject.positionWorld + ahead * levelAhead(subject) + glm::dvec3{0.0, 1.1 * distance_, 0.0};
+    glm::dvec3 const aim = subject.positionWorld + ahead * levelAhead(subject) + glm::dvec3{0.0, 0.9 * distance_, 0.0};
     glm::dvec3 const bodyUp = subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0};
     glm::dvec3 const up = glm::normalize(glm::dvec3{0.0, 1.0, 0.0} + 0.16 * bodyUp * (bodyUp.y > 0.0 ? 1.0 : 0.0));
     pose_.worldFromCamera = lookingAlong(aim - pose_.positionWorld, up);

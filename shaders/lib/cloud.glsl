@@ -69,14 +69,15 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     float z = p.z + s.anchor.z;
     vec4 bend = textureLod(curl, vec3(x * s.fibre.z * 0.31f, z * s.fibre.z * 0.31f, 0.5f), lod) * 2.0f - vec4(1.0f);
     float along = (x * s.fibre.x + z * s.fibre.y) * s.fibre.z + 0.045f * bend.x;
-    float across = (z * s.fibre.x - x * s.fibre.y) * s.fibre.w + 0.16f * bend.y;
+    float across = (z * s.fibre.x - x * s.fibre.y) * s.fibre.w + 0.10f * bend.y;
     float grain = textureLod(curl, vec3(along, across, 0.5f), lod).w * 2.0f - 1.0f;
+    float thread = textureLod(curl, vec3(along * 2.0f, across * 3.0f, 0.5f), lod + 1.5f).z * 2.0f - 1.0f;
     float margin = layerMargin(c, s, grain);
     if (margin <= 0.0f) return 0.0f;
     float full = c.water * s.look.w * (c.top - c.base);
-    float strand = clamp(0.55f + 0.9f * grain, 0.06f, 1.5f);
+    float strand = clamp(0.5f + 0.8f * grain + 0.6f * thread, 0.05f, 1.5f);
     float body = ramp(margin, 0.0f, s.form.x);
-    return 0.055f * ramp(margin, 0.0f, 0.02f) + full * body * strand;
+    return 0.055f * ramp(margin, 0.0f, 0.03f) + full * body * body * strand;
 }
 
 // The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
@@ -104,8 +105,14 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float margin = layerMargin(c, s, plane.z);
     if (margin <= 0.0f) return result;
 
-    // The envelope: between which heights cloud may stand here. Clouds of a layer are not all of one height.
-    float rise = riseAt(margin, s.form.x);
+    // Billows: strong toward the top and the sides, none at the base.
+    vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
+    float billow = billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.0f)));
+    float lift = smoothstep(0.0f, 260.0f, above);
+
+    // The envelope: between which heights cloud may stand here. Billows push its sides in and out; clouds of a layer are
+    // not all of one height.
+    float rise = riseAt(max(margin + 0.7f * s.form.x * s.form.z * (billow - 0.6f) * lift, 0.0f), s.form.x);
     if (s.extent.w > 0.0f) {
         float scale = s.anchor.w * (kShapePeriod / 12288.0f);
         float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
@@ -113,33 +120,30 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     }
     float least = min(45.0f / thickness, 1.0f);
     float low = s.form.y * (1.0f - rise);
-    float high = max(max(rise, least), low + least);
+    float high = min(max(max(rise, least), low + least), 1.0f);
     float h = above / thickness;
-    float within = (h - low) / (min(high, 1.0f) - low);
+    float within = (h - low) / (high - low);
     if (within <= 0.0f || within >= 1.0f) return result;
 
-    // Billows: strong toward the top and the sides, none at the base.
-    vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
-    float billow = billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.0f)));
     float guard = smoothstep(0.0f, 0.35f, within);
     float f = 1.0f - within - s.form.z * (1.0f - billow) * guard;
+    if (f <= 0.0f) return result;
+    // Edges: wisps below, billows above. The nearer a face, the more they take.
+    float eat = 0.45f;
+    if (lod < kCoarseLod && f < 0.5f) {
+        vec3 turned = q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - within);
+        vec4 fine = textureLod(detail, turned * s.detail.w, lod);
+        float wisps = 0.5f * fine.x + 0.3f * fine.y + 0.2f * fine.z;
+        eat = mix(wisps, 1.0f - wisps, clamp(within * 4.0f, 0.0f, 1.0f));
+    }
+    f -= s.form.w * eat * guard * (1.0f - clamp(2.0f * f, 0.0f, 1.0f));
     float edge = clamp(f / s.look.x, 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
     float full = c.water * s.look.w;
-    float tall = (min(high, 1.0f) - low) * thickness;
+    float tall = (high - low) * thickness;
     result.depth = full * min(f, 0.5f * rise) * tall;
     result.above = full * max(1.0f - s.form.z * 0.4f - within, 0.0f) * tall;
     result.below = full * within * tall;
-
-    // Edges: wisps below, billows above.
-    float eat = 0.45f;
-    if (lod < kCoarseLod && edge < 1.0f) {
-        vec3 turned = q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - within);
-        vec4 fine = textureLod(detail, turned * s.detail.w, lod);
-        float wisps = 0.625f * fine.x + 0.25f * fine.y + 0.125f * fine.z;
-        eat = mix(wisps, 1.0f - wisps, clamp(within * 4.0f, 0.0f, 1.0f));
-    }
-    edge = clamp((f - s.form.w * eat * (1.0f - edge) * guard) / s.look.x, 0.0f, 1.0f);
 
     float floorSoft = clamp((above - low * thickness - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
     result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, h);

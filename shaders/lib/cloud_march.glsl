@@ -195,6 +195,7 @@ float faceBetween(float outside, float inside, vec3 direction, float h, float lo
 /// Where a ray stands between its samples.
 struct Walk {
     float t;
+    float face;    // where it came into the shells
     float length;  // m, of the next step
     bool full;     // full steps, else cheap ones
     int empty;     // full steps without cloud since the last one with
@@ -219,16 +220,17 @@ bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk
         p = placeAt(direction, walk.t, h);
         float longest = longestStep(walk.t);
         if (!insideAnyShell(p.y)) {
-            walk.t = nextFace(h, direction.y, walk.t, end) + 0.5 + 0.3 * random * longest;
+            walk.face = nextFace(h, direction.y, walk.t, end) + 0.5;
+            walk.t = walk.face;
             walk.full = false;
         } else if (!walk.full) {
             if (cloudMayBeAt(p)) {
                 walk.full = true;
-                walk.empty = walk.t > longest ? 1 : 0;
-                walk.t = max(walk.t - longest, 0.0);
-                walk.length = longest;
+                walk.length = min(longest * (0.3 + 0.7 * random), walk.t - walk.face);
+                walk.empty = walk.length > 1.0 ? 1 : 0;
+                walk.t -= walk.length;
             } else {
-                walk.t += 2.0 * longest;
+                walk.t += (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
             }
         } else {
             here = cloudAt(p, lodAt(walk.t, walk.length));
@@ -247,9 +249,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     MarchResult ray = MarchResult(vec3(0.0), 1.0, 0.0);
     float weights = 0.0;
     float cosine = dot(direction, key.toward);
-    Walk walk = Walk(0.0, 0.0, false, 0, clouds.march.y);
-    if (!insideAnyShell(h)) walk.t = nextFace(h, direction.y, 0.0, end) + 0.5;
-    walk.t += random * longestStep(walk.t);
+    Walk walk = Walk(0.0, 0.0, 0.0, false, 0, clouds.march.y);
     LightThere there;
     there.asked = -1.0e6;
     CloudSample here;

@@ -2,9 +2,7 @@
 // Lattices wrap: a noise of `period` cells repeats after that many, in every direction, negative cells included.
 #ifndef LUFTPOST_NOISE_GLSL
 #define LUFTPOST_NOISE_GLSL
-#ifdef __cplusplus
 #include "shaders/shared/language.glsl.h"
-#endif
 
 GLSL_BEGIN
 

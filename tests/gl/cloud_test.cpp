@@ -1,0 +1,114 @@
+// Clouds on the GPU: the noise's twin, the block's layout, and pictures with the properties that skies have.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "engine/core/time.h"
+#include "engine/gl/draw.h"
+#include "engine/gl/program_library.h"
+#include "engine/gl/texture.h"
+#include "engine/render/renderer.h"
+#include "engine/weather/field.h"
+#include "engine/weather/noise_volume.h"
+#include "shaders/shared/cloud.glsl.h"
+#include "tests/gl/gl_fixture.h"
+
+namespace luftpost::test {
+namespace {
+class CloudTest : public GlTest {};
+
+void expectTwin(gl::ProgramLibrary& programs, char const* name, weather::NoiseVolume const& made, unsigned seed) {
+    gl::Texture3D texture{gl::Format::rgba8, made.size(), 1, name};
+    gl::Program const& program = programs.compute(name);
+    program.use();
+    program.set("seed", seed);
+    texture.bindImage(0, gl::Access::write);
+    gl::dispatch({made.size().x / 8, made.size().y / 8, made.size().z});
+    gl::barrier(gl::Barrier::all);
+    std::vector<std::uint8_t> const drawn = texture.readBytes();
+    ASSERT_EQ(drawn.size(), made.texels(0).size());
+    int worst = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) worst = std::max(worst, std::abs(drawn[i] - made.texels(0)[i]));
+    EXPECT_LE(worst, 1) << name;
+}
+
+TEST_F(CloudTest, NoiseMadeByTheGpuIsWithinOneByteOfTheBuilds) {
+    gl::ProgramLibrary programs;
+    weather::NoiseVolumes const made = weather::makeNoise(3, 2);
+    expectTwin(programs, "noise_shape", made.shape, 3);
+    expectTwin(programs, "noise_detail", made.detail, 3);
+    expectTwin(programs, "noise_curl", made.curl, 3);
+}
+
+TEST_F(CloudTest, BlockLiesInMemoryAsTheDriverSays) {
+    gl::ProgramLibrary programs;
+    gl::Program const& program = programs.compute("cloud_march");
+    EXPECT_EQ(program.uniformOffset("CloudBlock.shapes[1].look"),
+              static_cast<int>(offsetof(glsl::CloudBlock, shapes) + sizeof(glsl::LayerShape) + offsetof(glsl::LayerShape, look)));
+    EXPECT_EQ(program.uniformOffset("CloudBlock.fields[3].high"),
+              static_cast<int>(offsetof(glsl::CloudBlock, fields) + 3 * sizeof(glsl::LayerField) + offsetof(glsl::LayerField, high)));
+    EXPECT_EQ(program.uniformOffset("CloudBlock.mapPlaces[0]"), static_cast<int>(offsetof(glsl::CloudBlock, mapPlaces)));
+    EXPECT_EQ(program.uniformOffset("CloudBlock.march"), static_cast<int>(offsetof(glsl::CloudBlock, march)));
+    EXPECT_EQ(program.uniformOffset("CloudBlock.step"), static_cast<int>(offsetof(glsl::CloudBlock, step)));
+}
+
+/// A picture without land: up into the sky at noon from 2 m over the place.
+struct Shot {
+    explicit Shot(std::string const& weather, double elevation_deg)
+        : field{weather::loadWeather(weather)}, renderer{{.size = {96, 54}}} {
+        snapshot.field = &field;
+        snapshot.place = field.place();
+        snapshot.time = *core::parseUtc("2023-06-21T10:30Z");
+        snapshot.still = true;
+        snapshot.drawTerrain = false;
+        snapshot.camera.positionWorld = {0.0, snapshot.place.altitude_m + 2.0, 0.0};
+        glm::dvec3 const ahead = sky::directionWorld(1.9, core::radians(elevation_deg));
+        snapshot.camera.worldFromCamera = glm::conjugate(glm::quat_cast(glm::lookAt(glm::dvec3{0.0}, ahead, glm::dvec3{0.0, 1.0, 0.0})));
+        snapshot.weather = field.at(0.0, 0.0, snapshot.time);
+        snapshot.sky = sky::skyState(snapshot.place, snapshot.time);
+    }
+    assets::FloatImage draw() {
+        renderer.draw(snapshot);
+        return renderer.readHdr();
+    }
+    weather::Field field;
+    render::Renderer renderer;
+    render::Snapshot snapshot;
+};
+
+double meanAlpha(assets::FloatImage const& image) {
+    double sum = 0.0;
+    for (std::size_t i = 3; i < image.values.size(); i += 4) sum += static_cast<double>(image.values[i]);
+    return sum / static_cast<double>(image.values.size() / 4);
+}
+
+TEST_F(CloudTest, ClearSkyHasNoneAndOvercastSkyIsClosed) {
+    EXPECT_EQ(meanAlpha(Shot{"preset:clear", 40.0}.draw()), 0.0);
+    EXPECT_GT(meanAlpha(Shot{"preset:overcast", 40.0}.draw()), 0.995);
+}
+
+TEST_F(CloudTest, PicturesAreFiniteAndTheSameTwice) {
+    Shot shot{"preset:fair", 25.0};
+    assets::FloatImage const first = shot.draw();
+    for (float value : first.values) ASSERT_TRUE(std::isfinite(value));
+    EXPECT_GT(meanAlpha(first), 0.1);
+    EXPECT_LT(meanAlpha(first), 0.9);
+    EXPECT_EQ(first.values, shot.draw().values);
+}
+
+TEST_F(CloudTest, ASixteenthOfTheRaysComesToThePictureOfAll) {
+    Shot shot{"preset:fair", 25.0};
+    assets::FloatImage const all = shot.draw();
+    shot.snapshot.still = false;
+    shot.snapshot.frameSeconds = 0.0;
+    for (int frame = 0; frame < 48; ++frame) shot.renderer.draw(shot.snapshot);
+    assets::FloatImage const few = shot.renderer.readHdr();
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < all.values.size(); ++i) {
+        if (i % 4 == 3) continue;
+        difference += static_cast<double>(std::abs(all.values[i] - few.values[i]));
+        sum += static_cast<double>(all.values[i]);
+    }
+    EXPECT_LT(difference / sum, 0.1);  // 0.07 measured: at 96 x 54 the random offsets of the rays still show
+    EXPECT_NEAR(meanAlpha(all), meanAlpha(few), 0.03);
+}
+}  // namespace
+}  // namespace luftpost::test

@@ -1,0 +1,196 @@
+// Cloud columns: ranks are uniform, cover is the cover, density follows the margin.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "engine/weather/cloud_column.h"
+#include "engine/weather/cloud_depth.h"
+#include "engine/weather/cloud_map.h"
+#include "engine/weather/genera.h"
+#include "engine/weather/noise_volume.h"
+#include "shaders/lib/cloud.glsl"
+#include "shaders/lib/cloud_light.glsl"
+
+namespace {
+using namespace luftpost;
+using namespace luftpost::weather;
+
+NoiseVolumes const& noise() {
+    static NoiseVolumes const volumes = makeNoise(kNoiseSeed, 2);
+    return volumes;
+}
+
+Weather weatherOf(Genus genus, float cover, float thickness, unsigned pattern = 7) {
+    Weather weather;
+    weather.layerCount = 1;
+    weather.layers[0] = {.genus = genus, .cover = cover, .base = 1000.0f, .top = 1000.0f + thickness,
+                         .water = static_cast<float>(genusRow(genus).water), .wind = {7.0, -4.0},
+                         .drift = {12345.0, 6789.0}, .phase = 3.7, .pattern = pattern};
+    return weather;
+}
+
+/// Share of a 120 km square, sampled on a grid, where the clouds are thick enough to count.
+double measuredCover(Genus genus, float cover, float thickness, unsigned pattern) {
+    Weather const weather = weatherOf(genus, cover, thickness, pattern);
+    CloudColumns const columns{weather, 1};
+    glsl::CloudShape const shape = cloudShape(weather, 1, glm::dvec2{0.0});
+    int const n = 60;
+    int covered = 0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            double const east = (x + 0.5) * 2000.0 - 60000.0, north = (y + 0.5) * 2000.0 - 60000.0;
+            glm::vec2 const place{static_cast<float>(east), static_cast<float>(-north)};
+            covered += columnDepth(columns.at(east, north), shape, place, noise()) > coverDepth(genus);
+        }
+    return static_cast<double>(covered) / (n * n);
+}
+
+TEST(CloudPattern, EveryRankIsAsLikelyAsAnyOther) {
+    for (int genus = 0; genus < kGenera; ++genus)
+        for (PatternDetail detail : {PatternDetail::Whole, PatternDetail::Coarse}) {
+            std::array<int, 10> tenths{};
+            for (unsigned pattern = 0; pattern < 20; ++pattern) {
+                Weather const weather = weatherOf(static_cast<Genus>(genus), 0.5f, 500.0f, 1000u + pattern);
+                LayerPattern const ranks{weather.layers[0], 3, detail};
+                for (int i = 0; i < 1000; ++i)
+                    ++tenths[static_cast<std::size_t>(std::min(9.0f, 10.0f * ranks.rank(i % 40 * 26173.0, i / 40 * 31337.0)))];
+            }
+            for (int count : tenths) EXPECT_NEAR(count / 20000.0, 0.1, 0.015) << genusName(static_cast<Genus>(genus));
+        }
+}
+
+TEST(CloudPattern, DriftsWithItsLayer) {
+    Layer layer = weatherOf(Genus::Sc, 0.5f, 400.0f).layers[0];
+    float const before = LayerPattern{layer, 1}.rank(1000.0, 2000.0);
+    layer.drift += glm::dvec2{5000.0, -300.0};
+    EXPECT_NEAR((LayerPattern{layer, 1}.rank(6000.0, 1700.0)), before, 1e-3);
+}
+
+TEST(CloudPattern, ChangesSlowlyWithItsPhase) {
+    Layer layer = weatherOf(Genus::Cu, 0.5f, 900.0f).layers[0];
+    LayerPattern const now{layer, 1};
+    layer.phase += 0.01;
+    LayerPattern const soon{layer, 1};
+    double worst = 0.0, mean = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        double const change = std::abs(now.rank(i * 731.0, i * 397.0) - soon.rank(i * 731.0, i * 397.0));
+        worst = std::max(worst, change);
+        mean += change / 400.0;
+    }
+    EXPECT_GT(mean, 1e-4);
+    EXPECT_LT(mean, 0.03);
+    EXPECT_LT(worst, 0.15);
+}
+
+TEST(CloudColumn, CoverIsTheShareOfTheGroundUnderCloud) {
+    struct Case { Genus genus; float thickness; };
+    for (Case const& c : {Case{Genus::Cu, 900.0f}, Case{Genus::Sc, 450.0f}, Case{Genus::St, 350.0f}, Case{Genus::Ac, 450.0f},
+                          Case{Genus::Ci, 1200.0f}, Case{Genus::Cb, 9000.0f}})
+        for (float cover : {0.1f, 0.25f, 0.5f, 0.75f, 0.9f})
+            EXPECT_NEAR(measuredCover(c.genus, cover, c.thickness, 11u), cover, 0.03) << genusName(c.genus) << " " << cover;
+}
+
+TEST(CloudColumn, NoCoverIsEmptyAndFullCoverIsClosed) {
+    for (int genus = 0; genus < kGenera; ++genus) {
+        EXPECT_EQ(measuredCover(static_cast<Genus>(genus), 0.0f, 800.0f, 5u), 0.0) << genusName(static_cast<Genus>(genus));
+        EXPECT_EQ(measuredCover(static_cast<Genus>(genus), 1.0f, 800.0f, 5u), 1.0) << genusName(static_cast<Genus>(genus));
+    }
+}
+
+TEST(CloudColumn, ThresholdRisesWithCover) {
+    for (int genus = 0; genus < kGenera; ++genus)
+        for (float thickness : {100.0f, 700.0f, 5000.0f}) {
+            float before = calibratedCover(static_cast<Genus>(genus), 0.0f, thickness);
+            for (int i = 1; i <= 50; ++i) {
+                float const now = calibratedCover(static_cast<Genus>(genus), static_cast<float>(i) / 50.0f, thickness);
+                EXPECT_GE(now, before) << genusName(static_cast<Genus>(genus)) << " " << i;
+                before = now;
+            }
+        }
+}
+
+TEST(CloudColumn, DensityNeverFallsAsTheCoverRises) {
+    for (Genus genus : {Genus::Cu, Genus::Sc, Genus::St, Genus::Cb}) {
+        Weather const weather = weatherOf(genus, 0.5f, 1000.0f);
+        glsl::LayerShape const shape = cloudShape(weather, 1, glm::dvec2{0.0}).layers[0];
+        for (int i = 0; i < 300; ++i) {
+            glm::vec3 const p{static_cast<float>(i) * 313.0f, 1030.0f + static_cast<float>(i % 30) * 32.0f, static_cast<float>(i) * 171.0f};
+            float before = 0.0f;
+            for (float cover = 0.30f; cover < 0.70f; cover += 0.01f) {
+                glsl::LayerColumn const column{0.45f, cover, 1000.0f, 2000.0f, 5e-4f};
+                float const now = glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(),
+                                                    noise().curl.sampler(), 0.0f).extinction;
+                EXPECT_GE(now, before - 2e-3f) << genusName(genus);
+                before = now;
+            }
+        }
+    }
+}
+
+TEST(CloudColumn, IsTheSameFunctionForTheSameArguments) {
+    Weather const weather = weatherOf(Genus::Cu, 0.4f, 900.0f);
+    glsl::CloudColumn const a = CloudColumns{weather, 9}.at(4321.0, 1234.0);
+    glsl::CloudColumn const b = CloudColumns{weather, 9}.at(4321.0, 1234.0);
+    EXPECT_EQ(a.layers[0].rank, b.layers[0].rank);
+    EXPECT_NE(a.layers[0].rank, (CloudColumns{weather, 10}.at(4321.0, 1234.0).layers[0].rank));
+    EXPECT_EQ(a.layers[1].cover, -1.0f);
+}
+
+TEST(CloudMap, HoldsTheRanksOfItsTexelsCentres) {
+    Layer const layer = weatherOf(Genus::Cu, 0.4f, 900.0f).layers[0];
+    glm::dvec2 const camera{3000.0, -2000.0};
+    for (int level : {0, 1}) {
+        MapKey const key = mapKey(layer, level, camera, 4, 1.0f);
+        MapTile const tile = makeTile(key);
+        double const texel = kMapWidths[static_cast<std::size_t>(level)] / kMapSize;
+        Layer moment = layer;
+        moment.phase = key.moment * (level == 0 ? 0.01 : 0.03);
+        LayerPattern const pattern{moment, 4};
+        for (int i = 3; i < kMapSize; i += 97) {
+            double const east = tile.corner.x + (i + 0.5) * texel, south = tile.corner.y + (200 + 0.5) * texel;
+            float const stored = static_cast<float>(tile.ranks[static_cast<std::size_t>(200 * kMapSize + i)]) / 65535.0f;
+            EXPECT_NEAR(stored, pattern.drifting(east, -south), 2e-5f);
+        }
+        // The camera stands within a sixteenth of the middle.
+        glm::dvec2 const inLayer{camera.x - layer.drift.x, layer.drift.y - camera.y};
+        glm::dvec2 const off = (inLayer - tile.corner) / kMapWidths[static_cast<std::size_t>(level)] - 0.5;
+        EXPECT_LT(std::max(std::abs(off.x), std::abs(off.y)), 1.0 / 16.0);
+    }
+}
+
+TEST(CloudMap, HandsOverWhatIsWantedAndNothingTwice) {
+    CloudMap map{2};
+    MapLayers layers{};
+    layers[1] = weatherOf(Genus::St, 0.5f, 300.0f).layers[0];
+    map.want(layers, {0.0, 0.0}, 1, 1.0f, true);
+    int tiles = 0;
+    while (auto const ready = map.take()) {
+        EXPECT_EQ(ready->slot, 1);
+        ++tiles;
+    }
+    EXPECT_EQ(tiles, kMapLevels);
+    map.want(layers, {100.0, 0.0}, 1, 1.0f, true);
+    EXPECT_FALSE(map.take());
+}
+
+TEST(CloudLight, PhaseFunctionsIntegrateToOne) {
+    for (float g : {0.0f, 0.5f, 0.85f, 0.95f}) {
+        double henyey = 0.0, droplets = 0.0;
+        int const n = 20000;
+        for (int i = 0; i < n; ++i) {
+            float const cosine = -1.0f + 2.0f * (static_cast<float>(i) + 0.5f) / n;
+            henyey += static_cast<double>(glsl::henyeyGreenstein(cosine, g)) * 4.0 * 3.14159265358979 / n;
+            droplets += static_cast<double>(glsl::cloudPhase(cosine, g)) * 4.0 * 3.14159265358979 / n;
+        }
+        EXPECT_NEAR(henyey, 1.0, 1e-3) << g;
+        EXPECT_NEAR(droplets, 1.0, 1e-3) << g;
+    }
+}
+
+TEST(CloudLight, LeavesShadedBasesAQuarterToAnEighthOfSunlitSides) {
+    float const side = glsl::litByBeam(0.0f, 0.85f, 0.5f, 6.0f, 0.0f);
+    float const base = glsl::litByBeam(0.0f, 0.85f, 55.0f, 6.0f, 0.0f);
+    EXPECT_GT(side / base, 4.0f);
+    EXPECT_LT(side / base, 8.5f);
+}
+}  // namespace
