@@ -81,6 +81,8 @@ int runChosen(int argc, char** argv) {
     Chosen chosen;
     addCommonOptions(app, common, texts);
     addCommands(app, common, chosen);
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+        command->footer("and --weather --place --time --seed --size --settings --set: see luftpost --help");
     std::vector<std::string> arguments = argumentsOf(argc, argv);
     checkCommand(app, arguments.front());
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

@@ -1,0 +1,118 @@
+// Bad input is answered with exit 2 and one line that names what is wrong, before anything is made.
+#include "tests/play/program.h"
+
+namespace {
+using luftpost::tests::Outcome;
+using luftpost::tests::run;
+using luftpost::tests::scratch;
+using luftpost::tests::writeText;
+using luftpost::tests::fs::path;
+
+/// Exit 2, one line on standard error that says each of the words, nothing on standard output.
+void expectRefused(std::string const& arguments, std::initializer_list<char const*> words,
+                   std::string const& environment = "") {
+    Outcome const outcome = run(arguments, environment);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.complaints(), 1) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    for (char const* word : words)
+        EXPECT_NE(outcome.err.find(word), std::string::npos) << arguments << "\n" << outcome.err;
+}
+std::string const kFly = "play --headless --no-render --seconds 1 ";
+
+TEST(BadInput, NamesTheNearestKnownSettingCommandOrOption) {
+    expectRefused(kFly + "--set clouds.sigmo=1", {"--set", "clouds.sigmo", "clouds.sigma"});
+    expectRefused(kFly + "--set clouds.sigma=99", {"clouds.sigma", "0.05", "4", "99"});
+    expectRefused(kFly + "--set clouds.sigma", {"key=value"});
+    expectRefused(kFly + "--second 3", {"--second", "--seconds"});
+    expectRefused("plya", {"plya", "play"});
+    expectRefused("play extra --headless --seconds 1", {"extra"});
+}
+
+TEST(BadInput, IsFoundInEveryOption) {
+    expectRefused("play --headless", {"--seconds"});
+    expectRefused("play --headless --seconds abc", {"--seconds", "abc"});
+    expectRefused("play --headless --seconds -1", {"--seconds"});
+    expectRefused("play --headless --seconds nan", {"--seconds"});
+    expectRefused("play --headless --seconds", {"--seconds"});
+    for (char const* size : {"0x720", "1280", "16385x10", "axb", "-1x5", "10x10x10", "1280x"})
+        expectRefused(kFly + "--size " + size, {"--size", "1..16384"});
+    expectRefused(kFly + "--start air:300,50", {"--start", "air:ALT_M,TAS_MPS,HEADING_DEG"});
+    expectRefused(kFly + "--start air:1,50,0", {"--start", "above the ground"});
+    expectRefused(kFly + "--start hangar", {"--start", "runway"});
+    expectRefused(kFly + "--assist hard", {"--assist", "sim, light, normal, easy"});
+    expectRefused(kFly + "--payload -5", {"--payload"});
+    expectRefused(kFly + "--payload 99999", {"--payload"});
+    expectRefused(kFly + "--fuel lots", {"--fuel", "lots"});
+    expectRefused(kFly + "--workers 0", {"--workers"});
+    expectRefused(kFly + "--frame-rate 0", {"--frame-rate"});
+    expectRefused(kFly + "--bot ace", {"--bot", "courier", "ace"});
+    expectRefused(kFly + "--seed -1", {"--seed"});
+    expectRefused(kFly + "--seed 1.5", {"--seed"});
+    expectRefused(kFly + "--time 2023-06-23", {"--time", "2021-06-28T16:00Z"});
+    expectRefused(kFly + "--time 2023-02-30T00:00Z", {"--time"});
+    expectRefused(kFly + "--place 91,0", {"--place", "latitude"});
+    expectRefused(kFly + "--place 47", {"--place", "LAT,LON"});
+    expectRefused(kFly + "--weather preset:sunny", {"sunny"});
+    expectRefused(kFly + "--weather recorded:/no/such/file.json", {"/no/such/file.json"});
+    expectRefused(kFly + "--screenshot /tmp/x.png", {"--screenshot", "--no-render"});
+}
+
+TEST(BadInput, NamesMissingFolders) {
+    for (char const* option : {"--log", "--report", "--save-replay", "--save-weather", "--save"})
+        expectRefused(kFly + option + " /no/such/folder/file", {option, "/no/such/folder"});
+    expectRefused("play --headless --seconds 1 --screenshot /no/such/folder/x.png",
+                  {"--screenshot", "/no/such/folder"});
+    expectRefused(kFly + "--log '" + scratch().string() + "'", {"--log", "folder"});
+}
+
+TEST(BadInput, NamesPlaceInFiles) {
+    path const folder = scratch();
+    auto const file = [&](char const* name, char const* text) {
+        writeText(folder / name, text);
+        return "'" + (folder / name).string() + "'";
+    };
+    expectRefused(kFly + "--settings " + file("a.toml", "clouds.sigma = 1\nclouds.hgg = 2\n"),
+                  {"a.toml:2", "clouds.hgg", "clouds.hg"});
+    expectRefused(kFly + "--settings " + file("b.toml", "[clouds\n"), {"b.toml:1", "TOML"});
+    expectRefused(kFly + "--settings /no/such.toml", {"/no/such.toml"});
+    expectRefused(kFly + "--input " +
+                      file("in.csv", "t_s,throttle,elevator,aileron,rudder,flaps,brakes,drop\n0,2,,,,,,\n"),
+                  {"in.csv:2", "throttle", "0..1"});
+    expectRefused(kFly + "--input /no/such.csv", {"/no/such.csv"});
+    expectRefused(kFly + "--weather recorded:" + file("w.json", "{\"format\":\"luftpost-weather-1\"}"),
+                  {"w.json"});
+    expectRefused(kFly + "--weather recorded:" + file("x.json", "{"), {"x.json"});
+    expectRefused("replay " + file("r.json", "{\"format\":\"luftpost-replay-1\"}"), {"r.json"});
+    expectRefused("replay /no/such.replay", {"/no/such.replay"});
+}
+
+TEST(BadInput, SaysThatTheDiskIsFull) {
+    expectRefused(kFly + "--log /dev/full", {"/dev/full", "No space left"});
+    expectRefused(kFly + "--report /dev/full", {"/dev/full", "No space left"});
+}
+
+TEST(BadInput, NamesAMissingFileOfTheData) {
+    path const data = scratch() / "nowhere";
+    expectRefused(kFly, {"nowhere", "LUFTPOST_DATA"}, "LUFTPOST_DATA='" + data.string() + "'");
+}
+
+TEST(BadInput, NamesAMissingShader) {
+    // The whole data but for the shaders' passes.
+    path const data = scratch() / "data_without_shaders";
+    path const root{LUFTPOST_SOURCE_DIR};
+    std::filesystem::create_directories(data / "shaders");
+    std::filesystem::create_directory_symlink(root / "assets", data / "assets");
+    expectRefused("play --headless --seconds 1 --size 64x36", {"shaders"},
+                  "LUFTPOST_DATA='" + data.string() + "'");
+}
+
+TEST(Help, IsOnStandardOutputAndIsNoError) {
+    for (char const* command : {"--help", "play --help", "replay --help"}) {
+        Outcome const outcome = run(command);
+        EXPECT_EQ(outcome.code, 0) << command;
+        EXPECT_EQ(outcome.err, "") << command;
+        EXPECT_NE(outcome.out.find("--weather"), std::string::npos) << command;
+    }
+}
+}  // namespace
