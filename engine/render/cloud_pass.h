@@ -24,6 +24,9 @@ public:
     /// March, resolve, composite into the colour target; its alpha becomes the transmittance of the clouds.
     void draw(FrameContext const& context);
 
+    /// GPU bytes of noise volumes and cloud map, screen-sized buffers apart.
+    std::size_t bytes() const { return scene_.bytes(); }
+
 private:
     struct Screen {
         explicit Screen(glm::ivec2 const& size, bool whole);

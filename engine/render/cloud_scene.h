@@ -24,6 +24,8 @@ public:
     /// Binds block, volumes and map for the passes that include lib/cloud_scene.glsl.
     void bind() const;
 
+    /// Of volumes and map.
+    std::size_t bytes() const { return shape_.bytes() + detail_.bytes() + curl_.bytes() + map_.bytes(); }
     bool empty() const { return block_.march.x == 0; }
     glsl::CloudBlock const& block() const { return block_; }
     /// Sets where the shadow map lies; update() leaves it as it is.

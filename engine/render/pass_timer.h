@@ -12,17 +12,19 @@ class PassTimer {
 public:
     void setOn(bool on) { on_ = on; }
 
-    /// Runs one pass of the frame. Software GL works after the call returns: there all earlier work is finished first,
-    /// so that it is not counted as this pass's.
+    /// Runs one pass of the frame. Software GL works after the call returns, and takes a timestamp only when it gets to
+    /// it: there earlier work, the timestamp and the pass are each finished before the next.
     template <class Draw>
     void pass(char const* name, Draw&& draw) {
         if (!on_) return draw();
         Entry& entry = next(name);
         if (software_) gl::finish();
         entry.start.record();
+        if (software_) gl::finish();
         draw();
         if (software_) gl::finish();
         entry.end.record();
+        if (software_) gl::finish();
     }
 
     /// Waits for the frame's timestamps; passes of one name are added up.

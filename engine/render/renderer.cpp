@@ -21,6 +21,7 @@
 #include "engine/render/pass_timer.h"
 #include "engine/render/post_pass.h"
 #include "engine/render/precipitation_pass.h"
+#include "engine/render/puff_pass.h"
 #include "engine/render/sky_pass.h"
 #include "engine/render/terrain_pass.h"
 #include "engine/render/ui_pass.h"
@@ -81,6 +82,7 @@ struct Renderer::Parts {
           precipitation{programs},
           exposure{programs},
           models{programs},
+          puffs{programs},
           post{programs},
           ui{programs},
           resample{programs.graphics(gl::GraphicsStages{"fullscreen", "resample", ""})},
@@ -93,6 +95,7 @@ struct Renderer::Parts {
     void drawOpaque(FrameContext const& context);
     void drawLand(FrameContext const& context);
     void drawAround(FrameContext const& context);
+    void drawNormals(FrameContext const& context);
     void drawView(FrameContext const& context, int view);
     void drawUi(Snapshot const& snapshot);
     void reloadShaders();
@@ -113,6 +116,7 @@ struct Renderer::Parts {
     PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
+    PuffPass puffs;
     PostPass post;
     UiPass ui;
     gl::Program const& resample;
@@ -163,6 +167,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("composite", [&] { p.composite.draw(context); });
     pass("clouds", [&] { p.clouds.draw(context); });
     pass("precipitation", [&] { p.precipitation.draw(context); });
+    pass("smoke", [&] { p.puffs.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
@@ -176,7 +181,13 @@ void Renderer::Parts::drawOpaque(FrameContext const& context) {
     if (context.snapshot.camera.projection != Projection::perspective) return drawAround(context);
     if (context.snapshot.drawTerrain) drawLand(context);
     timer.pass("models", [&] { models.drawOpaque(context); });
-    if (context.snapshot.debug.normals) timer.pass("normals", [&] { models.drawNormals(context); });
+    if (context.snapshot.debug.normals) timer.pass("normals", [&] { drawNormals(context); });
+}
+
+/// The debug view of F2.
+void Renderer::Parts::drawNormals(FrameContext const& context) {
+    models.drawNormals(context);
+    if (context.snapshot.drawTerrain) terrain.drawNormals(context, land);
 }
 
 void Renderer::Parts::drawLand(FrameContext const& context) {
@@ -278,5 +289,6 @@ void Renderer::setTiming(bool on) {
     if (!on) parts_->times.clear();
 }
 terrain::StreamerStats Renderer::chunkStats() const { return parts_->land.stats(); }
+std::size_t Renderer::cloudBytes() const { return parts_->clouds.bytes(); }
 std::vector<PassTime> const& Renderer::passTimes() const { return parts_->times; }
 }  // namespace luftpost::render

@@ -68,6 +68,8 @@ public:
 
     /// The chunks of land made, kept and forgotten so far.
     terrain::StreamerStats chunkStats() const;
+    /// GPU bytes of noise volumes and cloud map, screen-sized buffers apart.
+    std::size_t cloudBytes() const;
 
 private:
     struct Parts;

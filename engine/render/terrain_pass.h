@@ -10,8 +10,11 @@ public:
     explicit TerrainPass(gl::ProgramLibrary& programs);
     /// After `scene.update` of this frame.
     void draw(FrameContext const& context, LandScene const& scene);
+    /// The normals of the mesh as lines (F2).
+    void drawNormals(FrameContext const& context, LandScene const& scene);
 
 private:
     gl::Program const& program_;
+    gl::Program const& normalsProgram_;
 };
 }  // namespace luftpost::render

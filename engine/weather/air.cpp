@@ -27,6 +27,7 @@ constexpr double kSlotsPerHour = 60.0;        // a pattern's slow change is foll
 constexpr double kGustShare = 0.567;          // of W20: three rms of Dryden's gusts at 10 m
 constexpr double kHazeFrom = 500.0, kHazeScale = 1500.0;  // m above ground: haze is even below, thins out above
 constexpr double kClearAir = 2.5e5;           // m, visibility in air without any haze
+constexpr double kStirring = 12.0;             // m/s: this wind mixes the air without any sun
 constexpr double kBoil = 0.4;                 // m/s: gusts change with time even where no wind carries them
 
 double smooth(double low, double high, double x) {
@@ -200,29 +201,38 @@ double hazeExtinction(double visibility, double height) {
     return clear + haze * core::exp(-std::max(height - kHazeFrom, 0.0) / kHazeScale);
 }
 
-struct MeanAir {
-    glm::dvec2 wind{0.0}, windSurface{0.0};
-    double gust = 0.0, temperatureSea = 0.0, pressureSea = 0.0, logVisibility = 0.0;
-};
+/// Rms and lengths of the gusts: Dryden's from the ground's gusts, and what the clouds add.
+Gustiness gustinessOf(double gust, double speed, double height, double heating, double cloudVariance) {
+    double const mixing = std::min(1.0, 0.25 + 0.75 * heating + speed / kStirring);
+    Gustiness g = drydenGustiness(std::max(gust - speed, 0.0) / kGustShare, height, mixing);
+    g.sigmaHorizontal = std::sqrt(g.sigmaHorizontal * g.sigmaHorizontal + cloudVariance);
+    g.sigmaVertical = std::sqrt(g.sigmaVertical * g.sigmaVertical + cloudVariance);
+    return g;
+}
 }  // namespace
 
-core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
+AirInstant::MeanAir AirInstant::meanAir(double east, double north, double altitude, double ground) const {
     Now const& now = *now_;
-    double const east = positionWorld.x, north = -positionWorld.z, altitude = positionWorld.y;
-    double const ground = data_->groundAt(east, north);
-    double const height = std::max(altitude - ground, 0.0);
-
     MeanAir mean;
     for (std::size_t i = 0; i < now.profiles.size(); ++i) {
         Profile const& profile = now.profiles[i];
         double const w = now.uniform ? 1.0 : data_->field->siteWeight(i, east, north);
-        mean.wind += w * windAt(profile, ground + height, ground);
+        mean.wind += w * windAt(profile, altitude, ground);
         mean.windSurface += w * profile.windSurface;
         mean.gust += w * profile.gust;
         mean.temperatureSea += w * (profile.temperature + kLapse * profile.elevation);
         mean.pressureSea += w * profile.pressureSea;
         mean.logVisibility += w * profile.logVisibility;
     }
+    return mean;
+}
+
+core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
+    Now const& now = *now_;
+    double const east = positionWorld.x, north = -positionWorld.z, altitude = positionWorld.y;
+    double const ground = data_->groundAt(east, north);
+    double const height = std::max(altitude - ground, 0.0);
+    MeanAir const mean = meanAir(east, north, ground + height, ground);
     Thermo const thermo = thermoAt(mean.temperatureSea, mean.pressureSea, altitude);
 
     std::optional<CloudsNow> own;  // where the sites differ, so do the clouds from point to point
@@ -237,10 +247,7 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     CloudEffect const cloud = cloudEffect(clouds, under, thermo.temperature, glm::vec3{positionWorld}, data_->noise,
                                           [&](Layer const& layer) { return data_->rankAt(layer, scale, east, north); });
 
-    double const speed = std::sqrt(mean.windSurface.x * mean.windSurface.x + mean.windSurface.y * mean.windSurface.y);
-    Gustiness gustiness = drydenGustiness(std::max(mean.gust - speed, 0.0) / kGustShare, height);
-    gustiness.sigmaHorizontal = std::sqrt(gustiness.sigmaHorizontal * gustiness.sigmaHorizontal + cloud.variance);
-    gustiness.sigmaVertical = std::sqrt(gustiness.sigmaVertical * gustiness.sigmaVertical + cloud.variance);
+    Gustiness const gustiness = gustinessOf(mean.gust, glm::length(mean.windSurface), height, now.heating, cloud.variance);
     glm::dvec3 const gust = gustAt({east - now.drift.x, altitude - now.rise, north - now.drift.y}, gustiness, data_->seed);
     double const offGround = smooth(0.0, 20.0, height);  // no air goes through the ground
 

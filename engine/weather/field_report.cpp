@@ -58,6 +58,30 @@ ReportedLayer reportedLayer(Layer const& layer, LayerSaid said, std::size_t i, F
     reported.top_m = told(said.top, static_cast<double>(layer.top), place("top_m"), filled);
     return reported;
 }
+/// All but the layers.
+void reportSurface(Report const& left, Report const& right, Weather const& weather, FieldReport& answer) {
+    Report& r = answer.said;
+    Filled& filled = answer.filled;
+    double const speed = glm::length(weather.windSurface);
+    r.speed_mps = told(left.speed_mps && right.speed_mps, speed, "wind.speed_mps", filled);
+    r.gust_mps = told(right.gust_mps.has_value(), weather.gust, "wind.gust_mps", filled);
+    if (speed > 0.0) r.from_deg = told(left.from_deg && right.from_deg, windFrom_deg(weather.windSurface), "wind.from_deg", filled);
+    bool const seen = left.visibility_m && right.visibility_m && !left.visibilityIsMinimum && !right.visibilityIsMinimum;
+    r.visibility_m = told(seen, weather.visibility, "visibility_m", filled);
+    if (!seen && left.visibility_m && right.visibility_m) {
+        r.visibility_m = std::min(*left.visibility_m, *right.visibility_m);
+        r.visibilityIsMinimum = true;
+    }
+    r.temperature_c = told(left.temperature_c && right.temperature_c, weather.temperature - kZeroCelsius, "temperature_c", filled);
+    r.dew_point_c = told(left.dew_point_c && right.dew_point_c, weather.dewPoint - kZeroCelsius, "dew_point_c", filled);
+    r.pressure_hpa = told(left.pressure_hpa && right.pressure_hpa, weather.pressureSea / 100.0, "pressure_hpa", filled);
+    r.rate_mm_h = told(right.rate_mm_h.has_value(), weather.precipitationRate, "precipitation.rate_mm_h", filled);
+    r.precipitationKind = right.precipitationKind;
+    if (!r.precipitationKind || *r.precipitationKind == Precipitation::Unknown)
+        filled["precipitation.kind"] = std::string{precipitationName(weather.precipitation)};
+    r.thunder = right.thunder;
+    if (!r.thunder) filled["thunder"] = weather.thunder;
+}
 }  // namespace
 
 FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
@@ -69,28 +93,9 @@ FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
     Weather const weather = at(own.east, own.north, time);
     FieldReport answer;
     Report& r = answer.said;
-    Filled& filled = answer.filled;
     r.time = time;
-    r.speed_mps = told(left.speed_mps && right.speed_mps, glm::length(weather.windSurface), "wind.speed_mps", filled);
-    r.gust_mps = told(right.gust_mps.has_value(), weather.gust, "wind.gust_mps", filled);
-    if (glm::length(weather.windSurface) > 0.0)
-        r.from_deg = told(left.from_deg && right.from_deg, windFrom_deg(weather.windSurface), "wind.from_deg", filled);
-    bool const seen = left.visibility_m && right.visibility_m && !left.visibilityIsMinimum && !right.visibilityIsMinimum;
-    r.visibility_m = told(seen, weather.visibility, "visibility_m", filled);
-    if (!seen && left.visibility_m && right.visibility_m) {
-        r.visibility_m = std::min(*left.visibility_m, *right.visibility_m);
-        r.visibilityIsMinimum = true;
-    }
+    reportSurface(left, right, weather, answer);
     if (a == b) r.verticalVisibility_m = left.verticalVisibility_m;
-    r.temperature_c = told(left.temperature_c && right.temperature_c, weather.temperature - kZeroCelsius, "temperature_c", filled);
-    r.dew_point_c = told(left.dew_point_c && right.dew_point_c, weather.dewPoint - kZeroCelsius, "dew_point_c", filled);
-    r.pressure_hpa = told(left.pressure_hpa && right.pressure_hpa, weather.pressureSea / 100.0, "pressure_hpa", filled);
-    r.rate_mm_h = told(right.rate_mm_h.has_value(), weather.precipitationRate, "precipitation.rate_mm_h", filled);
-    r.precipitationKind = right.precipitationKind;
-    if (!r.precipitationKind || *r.precipitationKind == Precipitation::Unknown)
-        filled["precipitation.kind"] = std::string{precipitationName(weather.precipitation)};
-    r.thunder = right.thunder;
-    if (!r.thunder) filled["thunder"] = weather.thunder;
     r.layersTo_m = right.layersTo_m;
     if (left.layers || right.layers) r.layers.emplace();
     for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i) {
@@ -98,7 +103,7 @@ FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
         auto const track = std::find_if(d.tracks.begin(), d.tracks.end(), [&](FieldTrack const& t) { return t.pattern == layer.pattern; });
         auto const ownTrack = own.trackOf[static_cast<std::size_t>(track - d.tracks.begin())];
         LayerSaid const said = ownTrack ? both(saidOf(left, own.tracks[*ownTrack], a), saidOf(right, own.tracks[*ownTrack], b)) : LayerSaid{};
-        ReportedLayer const reported = reportedLayer(layer, said, i, filled);
+        ReportedLayer const reported = reportedLayer(layer, said, i, answer.filled);
         if (r.layers) r.layers->push_back(reported);
     }
     return answer;

@@ -75,7 +75,7 @@ glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
 }
 }  // namespace
 
-Gustiness drydenGustiness(double windGround, double height) {
+Gustiness drydenGustiness(double windGround, double height, double mixing) {
     double const feet = std::max(height, 3.0) / kFoot;
     double const low = std::min(feet, kLow);
     double const root = core::pow(shape(low), 0.4);
@@ -87,7 +87,7 @@ Gustiness drydenGustiness(double windGround, double height) {
     if (feet <= kLow) return g;
     double const up = std::min((feet - kLow) / (kHigh - kLow), 1.0);
     double const above = std::max(0.0, (feet - kHigh) * kFoot);
-    double const free = severity(windGround) * core::exp(-above / kFade);
+    double const free = mixing * severity(windGround) * core::exp(-above / kFade);
     auto const toward = [up](double a, double b) { return a + (b - a) * up; };
     return {toward(g.sigmaHorizontal, free), toward(g.sigmaVertical, free), toward(g.lengthHorizontal, kHighLength * kFoot),
             toward(g.lengthVertical, kHighLength * kFoot)};

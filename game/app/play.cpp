@@ -8,6 +8,7 @@
 #include "engine/gl/context.h"
 #include "engine/platform/surface.h"
 #include "engine/terrain/streamer.h"
+#include "engine/weather/recording.h"
 #include "game/app/frame_clock.h"
 #include "game/app/game.h"
 #include "game/app/player_files.h"

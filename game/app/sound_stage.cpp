@@ -1,5 +1,6 @@
 #include "game/app/sound_stage.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -54,6 +55,26 @@ void SoundStage::note(FlightEventAt const& event) {
     }
 }
 
+/// The motor is heard when the lever moves to another notch.
+void SoundStage::noteFlaps(double flaps) {
+    if (std::abs(flaps - flaps_) > 0.05) events_.push_back(sound(audio::Event::flaps, glm::dvec3{0.0}, true));
+    flaps_ = flaps;
+}
+
+/// Every 9 s of a thundery hour has a thunder or none, somewhere within 6 km: the same for the same time.
+void SoundStage::noteThunder(Simulation const& simulation, bool thundery, glm::dvec3 const& eyeWorld) {
+    constexpr double kSlotSeconds = 9.0, kFarthest = 6000.0;
+    auto const slot = static_cast<long long>(std::floor(simulation.utc() / kSlotSeconds));
+    if (slot == thunderSlot_) return;
+    thunderSlot_ = slot;
+    double const chance = std::sin(static_cast<double>(slot) * 12.9898) * 43758.5453;
+    double const share = chance - std::floor(chance), bearing = 2.0 * core::kPi * 7.0 * share;
+    if (!thundery || share > 0.45) return;
+    double const away = 800.0 + (kFarthest - 800.0) * share / 0.45;
+    glm::dvec3 const place = eyeWorld + away * glm::dvec3{std::sin(bearing), 0.2, std::cos(bearing)};
+    events_.push_back(sound(audio::Event::thunder, place, false));
+}
+
 void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera, bool inside, bool paused,
                       audio::AudioSettings const& settings, double wallSeconds) {
     constexpr double kSecondsPerHour = 3600.0;
@@ -67,8 +88,10 @@ void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera
     state.slip = readings.beta;
     state.turbulence = readings.turbulence;
     glm::dvec3 const& eye = camera.positionWorld;
-    state.rain =
-        simulation.world().field().at(eye.x, -eye.z, simulation.utc()).precipitationRate / kSecondsPerHour;
+    weather::Weather const weather = simulation.world().field().at(eye.x, -eye.z, simulation.utc());
+    state.rain = weather.precipitationRate / kSecondsPerHour;
+    noteFlaps(simulation.stick().controls().flaps);
+    noteThunder(simulation, weather.thunder && !paused, eye);
     state.stalled = readings.stallHorn;
     state.onGround = readings.onGround;
     state.groundSpeed = readings.groundSpeed;

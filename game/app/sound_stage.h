@@ -18,7 +18,12 @@ public:
               audio::AudioSettings const& settings, double wallSeconds);
 
 private:
+    void noteFlaps(double flaps);
+    void noteThunder(Simulation const& simulation, bool thundery, glm::dvec3 const& eyeWorld);
+
     audio::Mixer mixer_;
+    double flaps_ = 0.0;          // of the latest frame
+    long long thunderSlot_ = -1;  // the latest stretch of time that was asked for thunder
     std::vector<audio::SoundEvent> events_;
 };
 }  // namespace luftpost::app

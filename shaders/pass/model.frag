@@ -3,6 +3,7 @@
 #include "shaders/lib/cloud_shadow.glsl"
 #include "shared/frame.glsl.h"
 #include "lib/camera.glsl"
+#include "lib/cloud_shadow.glsl"
 #include "lib/model_shadow.glsl"
 #include "lib/scene_light.glsl"
 

@@ -12,6 +12,7 @@ layout(location = 1) in vec3 fragmentNormal[];
 layout(location = 0) out vec3 lineColour;
 
 void main() {
+    if (length(fragmentRelative[0]) > 3000.0) return;  // farther lines are finer than a pixel
     for (int i = 0; i < 3; ++i) {
         vec3 normal = normalize(fragmentNormal[i]);
         vec3 tip = fragmentRelative[i] + normal * length(fragmentRelative[i]) * 0.02;
