@@ -7,6 +7,7 @@ void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addSkyCommand(app, common, chosen);
     addWeatherCommand(app, common, chosen);
     addAirCommand(app, common, chosen);
+    addBenchCommand(app, common, chosen);
     addTerrainCommand(app, common, chosen);
 }
 }  // namespace luftpost::app
