@@ -66,7 +66,7 @@ EdgeMarker edgeMarker(CameraPose const& camera, glm::vec2 size_px, glm::vec2 mar
     if (seen && std::abs(seen->x - middle.x) <= half.x && std::abs(seen->y - middle.y) <= half.y) return {*seen, glm::vec2{0.0f}};
     glm::dvec3 const p = inCamera(camera, pointWorld);
     glm::vec2 way{glm::dvec2{p.x, -p.y}};
-    if (p.z > 0.0) way.y = std::max(way.y, 0.25f * std::abs(way.x));  // behind: to the side, not up into the sky
+    if (p.z > 0.0) way = {p.x < 0.0 ? -1.0f : 1.0f, 0.3f};  // behind: the side to turn to
     if (glm::length(way) < 1e-4f) way = {0.0f, 1.0f};
     way = glm::normalize(way);
     glm::vec2 const limit = half / glm::max(glm::abs(way), glm::vec2{1e-6f});

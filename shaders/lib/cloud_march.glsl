@@ -196,7 +196,7 @@ float faceBetween(float outside, float inside, vec3 direction, float h, float lo
 struct Walk {
     float t;
     float face;    // where it came into the shells
-    float length;  // m, of the next step
+    float stride;  // m, of the next step
     bool full;     // full steps, else cheap ones
     int empty;     // full steps without cloud since the last one with
     int left;      // steps that may still be taken
@@ -226,16 +226,16 @@ bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk
         } else if (!walk.full) {
             if (cloudMayBeAt(p)) {
                 walk.full = true;
-                walk.length = min(longest * (0.3 + 0.7 * random), walk.t - walk.face);
-                walk.empty = walk.length > 1.0 ? 1 : 0;
-                walk.t -= walk.length;
+                walk.stride = min(longest * (0.3 + 0.7 * random), walk.t - walk.face);
+                walk.empty = walk.stride > 1.0 ? 1 : 0;
+                walk.t -= walk.stride;
             } else {
                 walk.t += (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
             }
         } else {
-            here = cloudAt(p, lodAt(walk.t, walk.length));
+            here = cloudAt(p, lodAt(walk.t, walk.stride));
             if (here.extinction > 0.0) return true;
-            walk.length = longest;
+            walk.stride = longest;
             walk.t += longest;
             if (++walk.empty >= 6) walk.full = false;
         }
@@ -257,15 +257,15 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     while (ray.through > 0.015 && findCloud(direction, h, end, random, walk, here, p)) {
         float longest = longestStep(walk.t);
         float shortest = max(10.0, 0.0015 * walk.t);
-        float lod = lodAt(walk.t, walk.length);
+        float lod = lodAt(walk.t, walk.stride);
         if (walk.empty > 0) {
-            walk.t = faceBetween(walk.t - walk.length, walk.t, direction, h, lod);
+            walk.t = faceBetween(walk.t - walk.stride, walk.t, direction, h, lod);
             p = placeAt(direction, walk.t, h);
             here = cloudAt(p, lod);
-            walk.length = min(2.0 * shortest, longest);
+            walk.stride = min(2.0 * shortest, longest);
             walk.empty = 0;
         }
-        float length = min(walk.length, max(0.9 / max(here.extinction, 1e-5), shortest));
+        float length = min(walk.stride, max(0.9 / max(here.extinction, 1e-5), shortest));
         float kept = exp(-here.extinction * length);
         float weight = ray.through * (1.0 - kept);
         if (walk.t > there.asked + 2000.0 + 0.1 * walk.t) there = lightThere(p, direction, walk.t, key);
@@ -274,7 +274,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
         weights += weight;
         ray.through *= kept;
         walk.t += length;
-        walk.length = min(length * 1.5, longest);
+        walk.stride = min(length * 1.5, longest);
     }
     ray.distance = weights > 1e-5 ? ray.distance / weights : min(end, clouds.step.z);
     if (ray.through <= 0.015) {

@@ -22,6 +22,7 @@ protected:
     Plane() : renderer_{{.size = size()}} {
         snapshot_.still = true;
         snapshot_.dither = false;
+        snapshot_.drawTerrain = false;
         snapshot_.sky.sunDirectionWorld = sky::directionWorld(core::radians(140.0), core::radians(40.0));
         snapshot_.aircraftWorld = {0.0, 320.0, 0.0};
         snapshot_.hasAircraft = true;

@@ -23,6 +23,7 @@ protected:
         snapshot.sky.sunDirectionWorld = sky::directionWorld(core::radians(200.0), core::radians(50.0));
         snapshot.still = true;
         snapshot.dither = false;
+        snapshot.drawTerrain = false;
         return snapshot;
     }
     /// A grey ball of 2 m, 8 m ahead.

@@ -72,6 +72,7 @@ protected:
         render::Renderer renderer{{.size = {256, 144}}};
         render::Snapshot snapshot;
         snapshot.still = true;
+        snapshot.drawTerrain = false;
         snapshot.camera.positionWorld = {0.0, 300.0, 0.0};
         snapshot.sky.sunDirectionWorld = sky::directionWorld(core::radians(120.0), core::radians(30.0));
         render::ModelInstance ring;
