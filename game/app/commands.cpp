@@ -8,7 +8,6 @@ void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addBenchCommand(app, common, chosen);
     addWeatherCommand(app, common, chosen);
     addAirCommand(app, common, chosen);
-    addBenchCommand(app, common, chosen);
     addTerrainCommand(app, common, chosen);
 }
 }  // namespace luftpost::app

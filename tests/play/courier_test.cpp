@@ -22,7 +22,9 @@ TEST_P(Courier, DeliversWithinTenMinutesAndDoesNotCrash) {
     EXPECT_LE(report["chunks"]["peak_bytes"], 160'000'000);
     EXPECT_GT(report["chunks"]["made"], 20);
     for (auto const& drop : report["drops"])
-        if (!drop["landing"].is_null()) EXPECT_GT(drop["landing"]["t_s"], drop["t_s"]);
+        if (!drop["landing"].is_null()) {
+            EXPECT_GT(drop["landing"]["t_s"], drop["t_s"]);
+        }
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, Courier, testing::Values(1, 2, 3));
 
@@ -134,7 +136,9 @@ TEST(Weather, OfAFlightIsSavedAsARecordingThatFliesTheSame) {
         auto const again =
             flight(kBot + "--seconds 20 --time 2023-06-23T18:40Z --weather 'recorded:" + file + "'");
         EXPECT_EQ(again["drops"].size(), flown["drops"].size());
-        if (source.empty()) EXPECT_EQ(again["state_hash"], flown["state_hash"]);
+        if (source.empty()) {
+            EXPECT_EQ(again["state_hash"], flown["state_hash"]);
+        }
     }
 }
 }  // namespace
