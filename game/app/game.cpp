@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/assets/image.h"
 #include "engine/core/error.h"
@@ -61,7 +62,7 @@ void Game::frame(FrameStep const& step) {
     if (sounds_)
         sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
                       step.wall);
-    if (settingsChanged_ && (sinceChange_ += step.wall) > kSaveAfter) saveNow();
+    if (settingsChanged_ && (sinceChange_ += step.wall) > kSaveAfter) saveChanges();
 }
 
 void Game::readDevices(FrameStep const& step) {
@@ -147,9 +148,9 @@ void Game::restart() {
                    groundHeight());
 }
 
-void Game::saveNow() {
-    settingsChanged_ = false;
-    if (run_.settingsFile.empty()) return;
+void Game::saveChanges() {
+    bool const changed = std::exchange(settingsChanged_, false);
+    if (!changed || run_.settingsFile.empty()) return;
     try {
         core::writeSettings(list_, fileNotes_, run_.settingsFile);
     } catch (core::Error const& error) {

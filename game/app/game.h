@@ -34,8 +34,8 @@ public:
     Session& session() { return *session_; }
     Settings const& settings() const { return settings_; }
     render::Renderer& renderer() { return renderer_; }
-    /// Writes what waits to be written of settings and career.
-    void saveNow();
+    /// Writes the settings if the player has changed one since they were written.
+    void saveChanges();
 
 private:
     void readDevices(FrameStep const& step);

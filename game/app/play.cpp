@@ -106,7 +106,7 @@ void flyWithPicture(PlayOptions options) {
     Game game{std::move(options), *surface};
     FlightReport cost;
     flyFrames(game, run, cost.frame_ms);
-    game.saveNow();
+    game.saveChanges();
     if (!run.screenshot.empty()) game.writePicture(run.screenshot);
     cost.chunks = chunkFigures(game.renderer().chunkStats());
     cost.glErrors = static_cast<std::size_t>(gl::errorCount());

@@ -70,7 +70,7 @@ TEST(BadInput, NamesPlaceInFiles) {
     path const folder = scratch();
     auto const file = [&](char const* name, char const* text) {
         writeText(folder / name, text);
-        return "'" + (folder / name).string() + "'";
+        return std::string{"'"}.append((folder / name).string()).append("'");
     };
     expectRefused(kFly + "--settings " + file("a.toml", "clouds.sigma = 1\nclouds.hgg = 2\n"),
                   {"a.toml:2", "clouds.hgg", "clouds.hg"});
