@@ -31,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 constexpr unsigned kSeed = 1;
 constexpr int kWarmUp = 18;  // frames: after 16 every ray was marched once
 constexpr int kMeasured = 30;
-constexpr int kYardstickRepeats = 5;
+constexpr int kYardstickRepeats = 3;
 
 struct BenchScene {
     char const* name;

@@ -49,7 +49,6 @@ Game::Game(PlayOptions options, platform::Surface& surface)
         core::SettingList list = settingList(ignored);
         fileNotes_ = core::readPlayerSettings(list, run_.settingsFile);
     }
-    cameras_.select(settings_.view.camera);
     restart();
 }
 
@@ -105,7 +104,8 @@ ui::GroundHeight Game::groundHeight() const {
 
 void Game::moveCamera(FrameStep const& step) {
     Simulation const& simulation = session_->simulation();
-    if (auto const parcel = shownParcel(simulation, step.share)) cameras_.watchParcel(parcel->positionWorld);
+    auto const parcel = shownParcel(simulation, step.share);
+    cameras_.watchParcel(parcel ? parcel->positionWorld : simulation.aircraft().state().positionWorld);
     cameras_.setFieldOfView(core::radians(settings_.graphics.fieldOfView_deg));
     cameras_.advance(cameraSubject(simulation, shownPose(simulation, step.share)), reading_.camera,
                      groundHeight(), paused() ? 0.0 : step.seconds, step.wall);
@@ -146,6 +146,7 @@ void Game::restart() {
     sample_ = {};
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                    groundHeight());
+    cameras_.select(settings_.view.camera);
 }
 
 void Game::saveChanges() {

@@ -14,8 +14,10 @@
 #include "engine/assets/shader_source.h"
 #include "engine/core/file.h"
 #include "engine/gl/program.h"
+#include "shaders/shared/cloud.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/sky_block.glsl.h"
+#include "shaders/shared/terrain.glsl.h"
 #include "tests/gl/gl_fixture.h"
 
 namespace {
@@ -58,21 +60,21 @@ TEST(ShaderFiles, AreStrictCoreGlsl) {
 }
 
 struct Member {
-    std::string type, name;
+    std::string type, name, count;  // count: "" for no array, else a number or a constant's name
 };
 
 std::vector<Member> members(std::string const& body) {
     std::vector<Member> found;
-    std::regex const member{R"((\w+)\s+(\w+)\s*;)"};
+    std::regex const member{R"((\w+)\s+(\w+)\s*(?:\[(\w+)\])?\s*;)"};
     std::string const plain = std::regex_replace(body, std::regex{R"(//[^\n]*)"}, "");
     for (std::sregex_iterator it{plain.begin(), plain.end(), member}, end; it != end; ++it)
-        found.push_back({(*it)[1], (*it)[2]});
+        found.push_back({(*it)[1], (*it)[2], (*it)[3]});
     return found;
 }
 
 /// A header's blocks with their bodies, and the structs that they are made of.
 struct Header {
-    std::map<std::string, std::string> blocks, instances, structs;
+    std::map<std::string, std::string> blocks, instances, structs, constants;
 
     explicit Header(std::string const& text) {
         std::regex const block{R"(UNIFORM_BLOCK\((\w+),\s*\d+\)\s*\{([^}]*)\}\s*BLOCK_NAME\((\w+)\))"};
@@ -83,6 +85,16 @@ struct Header {
         std::regex const structure{R"(struct\s+(\w+)\s*\{([^}]*)\})"};
         for (std::sregex_iterator it{text.begin(), text.end(), structure}, end; it != end; ++it)
             structs[(*it)[1]] = (*it)[2];
+        std::regex const constant{R"(GLSL_CONST int (\w+) = (\d+);)"};
+        for (std::sregex_iterator it{text.begin(), text.end(), constant}, end; it != end; ++it)
+            constants[(*it)[1]] = (*it)[2];
+    }
+
+    /// How often a member stands there; 1 for no array.
+    int count(Member const& member) const {
+        if (member.count.empty()) return 1;
+        auto const constant = constants.find(member.count);
+        return std::stoi(constant == constants.end() ? member.count : constant->second);
     }
 
     /// Names as the driver knows them, each with its offset by C++'s rules: members of 16 or 64 bytes one after another.
@@ -91,12 +103,14 @@ struct Header {
         static std::map<std::string, int> const kBytes{{"vec4", 16}, {"ivec4", 16}, {"uvec4", 16}, {"mat4", 64}};
         for (Member const& member : members(body)) {
             if (auto const structure = structs.find(member.type); structure != structs.end()) {
-                leaves(structure->second, prefix + member.name + ".", offset, found);
+                for (int i = 0; i < count(member); ++i)
+                    leaves(structure->second, prefix + member.name + (member.count.empty() ? "." : fmt::format("[{}].", i)),
+                           offset, found);
                 continue;
             }
             ASSERT_TRUE(kBytes.contains(member.type)) << member.type << " " << member.name << ": only vec4, ivec4, mat4";
-            found.emplace_back(prefix + member.name, offset);
-            offset += kBytes.at(member.type);
+            found.emplace_back(prefix + member.name + (member.count.empty() ? "" : "[0]"), offset);
+            offset += kBytes.at(member.type) * count(member);
         }
     }
 };
@@ -104,7 +118,10 @@ struct Header {
 class SharedBlocks : public test::GlTest {};
 
 /// What C++ says of the blocks it has.
-std::map<std::string, std::size_t> const kSizes{{"FrameBlock", sizeof(glsl::FrameBlock)}, {"SkyBlock", sizeof(glsl::SkyBlock)}};
+std::map<std::string, std::size_t> const kSizes{{"FrameBlock", sizeof(glsl::FrameBlock)},
+                                                {"SkyBlock", sizeof(glsl::SkyBlock)},
+                                                {"CloudBlock", sizeof(glsl::CloudBlock)},
+                                                {"LandBlock", sizeof(glsl::LandBlock)}};
 
 TEST_F(SharedBlocks, LieInTheDriverAsInCpp) {
     std::map<std::string, bool> seen;
