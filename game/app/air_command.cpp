@@ -76,7 +76,7 @@ int runAir(AirTexts const& texts, CommonOptions const& common) {
     weather::Air const air{field, [&land](double east, double north) { return land.ground(east, north); }, seed, &noise};
     std::string text = fmt::format("{},{}\n", kColumns, kAdded);
     for (Probe const& probe : probes) {
-        core::AirSample const s = air.instant(start + probe.t, common.settings.clouds).at(core::worldFromEastNorth(probe.east, probe.north, probe.altitude));
+        core::AirSample const s = air.instant(start + probe.t, common.settings.flight.clouds).at(core::worldFromEastNorth(probe.east, probe.north, probe.altitude));
         text += fmt::format("{},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.7f},{:.4f},{:.1f},{:.8f}\n", probe.t, probe.east, probe.north, probe.altitude,
                             s.windWorld.x + 0.0, 0.0 - s.windWorld.z, s.windWorld.y + 0.0, s.turbulence, s.density, s.temperature - kZeroCelsius, s.visibility,
                             s.icing);

@@ -68,7 +68,7 @@ render::Snapshot snapshotOf(BenchScene const& scene, weather::Field const& field
         glm::angleAxis(-core::radians(scene.azimuth_deg), glm::dvec3{0.0, 1.0, 0.0}) *
         glm::angleAxis(core::radians(scene.elevation_deg), glm::dvec3{1.0, 0.0, 0.0});
     snapshot.graphics = common.settings.graphics;
-    snapshot.clouds = common.settings.clouds;
+    snapshot.clouds = common.settings.flight.clouds;
     if (peerTerms) {
         snapshot.clouds.rays = 1.0f;
         snapshot.graphics.cloudSteps = 64;

@@ -5,6 +5,7 @@
 #include "engine/core/settings.h"
 #include "engine/flight/assist.h"
 #include "engine/flight/assist_settings.h"
+#include "engine/weather/cloud_settings.h"
 #include "game/ui/input_settings.h"
 
 namespace luftpost::app {
@@ -19,6 +20,7 @@ struct FlightSettings {
     PilotSettings pilot;
     flight::AssistSettings assist;
     ui::InputSettings input;
+    weather::CloudSettings clouds;  // where there is cloud there is lift
 };
 
 /// Appends the list over `settings`.
@@ -26,5 +28,6 @@ inline void appendFlightSettings(core::SettingList& list, FlightSettings& settin
     core::appendSettings(list, settings.pilot, pilotFields);
     core::appendSettings(list, settings.assist, flight::assistFields);
     core::appendSettings(list, settings.input, ui::inputFields);
+    core::appendSettings(list, settings.clouds, weather::cloudFields);
 }
 }  // namespace luftpost::app

@@ -20,7 +20,6 @@ std::string_view groupOf(core::Setting const& setting) {
 core::SettingList settingList(Settings& settings) {
     core::SettingList list;
     appendFlightSettings(list, settings.flight);
-    core::appendSettings(list, settings.clouds, weather::cloudFields);
     core::appendSettings(list, settings.graphics, render::graphicsFields);
     core::appendSettings(list, settings.view, viewFields);
     core::appendSettings(list, settings.hud, ui::hudFields);

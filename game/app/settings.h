@@ -5,7 +5,6 @@
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
 #include "engine/render/graphics_settings.h"
-#include "engine/weather/cloud_settings.h"
 #include "game/app/flight_settings.h"
 #include "game/app/view_settings.h"
 #include "game/ui/hud_settings.h"
@@ -13,7 +12,6 @@
 namespace luftpost::app {
 struct Settings {
     FlightSettings flight;
-    weather::CloudSettings clouds;
     render::GraphicsSettings graphics;
     ViewSettings view;
     ui::HudSettings hud;

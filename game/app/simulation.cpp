@@ -56,7 +56,7 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
 
 void Simulation::startFlight(SimulationOptions const& options) {
     core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
-        return world_.air().at(p, t);
+        return world_.air().instant(t, settings_.clouds).at(p);
     };
     if (options.start.runway) {
         RunwayStart const start = runwayStart(world_, options.time);
@@ -87,7 +87,7 @@ void Simulation::apply(FlightInput const& input) {
 }
 
 void Simulation::step() {
-    weather::AirInstant const instant = world_.air().instant(utc());
+    weather::AirInstant const instant = airNow();
     core::AirFunction const air = [&instant](glm::dvec3 const& p, core::UtcSeconds) { return instant.at(p); };
     ui::Stick::Action const action = stick_.step(sample_, settings_.input);
     if (action.respawn) respawn();
@@ -143,7 +143,7 @@ void Simulation::stepDelivery(core::AirFunction const& air) {
 
 void Simulation::respawn() {
     core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
-        return world_.air().at(p, t);
+        return world_.air().instant(t, settings_.clouds).at(p);
     };
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
@@ -155,6 +155,8 @@ void Simulation::respawn() {
 void Simulation::note(FlightEvent event, glm::dvec3 const& positionWorld, std::string text) {
     events_.push_back({event, positionWorld, std::move(text)});
 }
+
+weather::AirInstant Simulation::airNow() const { return world_.air().instant(utc(), settings_.clouds); }
 
 std::vector<FlightEventAt> Simulation::takeEvents() { return std::exchange(events_, {}); }
 

@@ -59,6 +59,8 @@ public:
     delivery::Delivery const& delivery() const { return delivery_; }
     ui::Stick const& stick() const { return stick_; }
     FlightSettings const& settings() const { return settings_; }
+    /// The air at this tick, with the clouds as the settings have them.
+    weather::AirInstant airNow() const;
     World const& world() const { return world_; }
     int crashes() const { return crashes_; }
 

@@ -170,7 +170,7 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.camera.projection = request.projection;
     snapshot.still = true;
     snapshot.graphics = common.settings.graphics;
-    snapshot.clouds = common.settings.clouds;
+    snapshot.clouds = common.settings.flight.clouds;
     snapshot.graphics.exposure_ev += request.exposure_ev;
     snapshot.graphics.resolution = 1.0f;  // a still has the size that was asked for
     snapshot.time = scene.start + seconds;
@@ -202,7 +202,7 @@ int runSky(SkyTexts const& texts, CommonOptions const& common) {
     SkyRequest const request = skyRequest(texts);
     Scene const scene{common};
     if (request.plan_km > 0.0) {
-        writePlan(scene.field, {request.plan_km * 1000.0, common.size, scene.start, scene.seed, common.settings.clouds}, request.output);
+        writePlan(scene.field, {request.plan_km * 1000.0, common.size, scene.start, scene.seed, common.settings.flight.clouds}, request.output);
         return 0;
     }
     auto const surface = platform::openHeadless(common.size);

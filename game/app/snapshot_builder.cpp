@@ -105,7 +105,7 @@ void addParcels(Simulation const& simulation, GameModels const& models, double s
         instances.push_back(standing(models.parcel, place + glm::dvec3{0.0, kStandUp, 0.0}));
     auto const parcel = shownParcel(simulation, share);
     if (!parcel) return;
-    glm::dvec3 const air = simulation.world().air().at(parcel->positionWorld, simulation.utc()).windWorld;
+    glm::dvec3 const air = simulation.airNow().at(parcel->positionWorld).windWorld;
     glm::dvec3 const drag = air - parcel->velocityWorld;
     // The chute hangs where the air pulls it: up and back along the way through the air.
     glm::dvec3 const pull = glm::normalize(drag + glm::dvec3{0.0, 0.5, 0.0});
@@ -131,7 +131,7 @@ void addAirfield(Simulation const& simulation, GameModels const& models,
         return core::worldFromEastNorth(at.x, at.y, world.ground()(at.x, at.y).height);
     };
     glm::dvec3 const foot = beside(-250.0, 45.0);
-    glm::dvec3 const wind = world.air().at(foot + glm::dvec3{0.0, 6.0, 0.0}, simulation.utc()).windWorld;
+    glm::dvec3 const wind = simulation.airNow().at(foot + glm::dvec3{0.0, 6.0, 0.0}).windWorld;
     render::ModelInstance sock = standing(models.windsock, foot);
     double const speed = std::hypot(wind.x, wind.z);
     sock.poses = {turned("sock", about(kY, yawAlong(wind))),
@@ -148,7 +148,7 @@ void addDropZone(Simulation const& simulation, GameModels const& models, double 
                  render::Snapshot& snapshot) {
     delivery::DropZone const& zone = simulation.delivery().target();
     glm::dvec3 const foot = core::worldFromEastNorth(zone.east, zone.north, zone.height);
-    weather::AirInstant const air = simulation.world().air().instant(simulation.utc());
+    weather::AirInstant const air = simulation.airNow();
     glm::dvec3 const low = air.at(foot + glm::dvec3{0.0, 5.0, 0.0}).windWorld;
     glm::dvec3 const high = air.at(foot + glm::dvec3{0.0, 60.0, 0.0}).windWorld;
     render::ModelInstance marker = standing(models.dropZone, foot);
@@ -206,7 +206,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.camera.worldFromCamera = view.camera.worldFromCamera;
     snapshot.camera.horizontalFov = view.camera.horizontalFov;
     snapshot.graphics = settings.graphics;
-    snapshot.clouds = settings.clouds;
+    snapshot.clouds = settings.flight.clouds;
     snapshot.time = simulation.utc();
     snapshot.simulationSeconds = simulation.seconds();
     snapshot.frameSeconds = view.seconds;
@@ -216,7 +216,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.field = &world.field();
     glm::dvec3 const& eye = view.camera.positionWorld;
     snapshot.weather = world.field().at(eye.x, -eye.z, simulation.utc());
-    snapshot.windWorld = world.air().at(eye, simulation.utc()).windWorld;
+    snapshot.windWorld = simulation.airNow().at(eye).windWorld;
     snapshot.models.push_back(planeInstance(simulation, models, view));
     snapshot.aircraftWorld = snapshot.models.front().positionWorld;
     snapshot.hasAircraft = true;

@@ -1,12 +1,14 @@
 #include "game/app/world.h"
 
 #include "engine/core/check.h"
+#include "engine/platform/paths.h"
 
 namespace luftpost::app {
 World::World(std::string const& source, core::Place const& place, unsigned seed)
     : place_{place}, land_{seed, place.altitude_m}, ground_{[this](double east, double north) {
           return land_.ground(east, north);
-      }} {
+      }},
+      noise_{weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path())} {
     loadWeather(source);
     useWeather(source);
 }
@@ -14,7 +16,8 @@ World::World(std::string const& source, core::Place const& place, unsigned seed)
 void World::loadWeather(std::string const& source) {
     if (loaded_.contains(source)) return;
     weather::PlaceWish const here{place_.lat_deg, place_.lon_deg, place_.altitude_m};
-    loaded_[source] = std::make_unique<Loaded>(weather::loadWeather(source, here), ground_, land_.seed());
+    loaded_[source] = std::make_unique<Loaded>(weather::loadWeather(source, here), ground_,
+                                                land_.seed(), noise_);
 }
 
 void World::useWeather(std::string const& source) {

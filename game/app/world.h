@@ -8,6 +8,7 @@
 #include "engine/terrain/land.h"
 #include "engine/weather/air.h"
 #include "engine/weather/field.h"
+#include "engine/weather/noise_volume.h"
 
 namespace luftpost::app {
 /// Place and land stay for the whole session; the weather may be exchanged. Main thread; the land and the
@@ -35,14 +36,16 @@ private:
     struct Loaded {
         weather::Field field;
         weather::Air air;
-        Loaded(weather::Field loaded, core::GroundFunction const& ground, unsigned seed)
-            : field{std::move(loaded)}, air{field, ground, seed} {}
+        Loaded(weather::Field loaded, core::GroundFunction const& ground, unsigned seed,
+               weather::NoiseVolumes const& noise)
+            : field{std::move(loaded)}, air{field, ground, seed, &noise} {}
     };
 
     std::string source_;
     core::Place place_;
     terrain::Land land_;
     core::GroundFunction ground_;
+    weather::NoiseVolumes noise_;
     std::map<std::string, std::unique_ptr<Loaded>> loaded_;
     Loaded* current_ = nullptr;
 };
