@@ -265,7 +265,8 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             walk.stride = min(2.0 * shortest, longest);
             walk.empty = 0;
         }
-        float length = min(walk.stride, max(0.9 / max(here.extinction, 1e-5), shortest));
+        // An eye inside a cloud starts with no stride behind it.
+        float length = min(max(walk.stride, shortest), max(0.9 / max(here.extinction, 1e-5), shortest));
         float kept = exp(-here.extinction * length);
         float weight = ray.through * (1.0 - kept);
         if (walk.t > there.asked + 2000.0 + 0.1 * walk.t) there = lightThere(p, direction, walk.t, key);
