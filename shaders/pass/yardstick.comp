@@ -5,7 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler3D noise;
 layout(binding = 0, rgba16f) uniform writeonly image2D result;
 
-float density(vec3 p) { return max(textureLod(noise, p * 0.00025, 0.0).r - 0.6, 0.0) * 0.05; }
+float density(vec3 p) { return max(textureLod(noise, p * 0.00025, 0.0).r - 0.76, 0.0) * 0.05; }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
