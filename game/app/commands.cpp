@@ -9,5 +9,6 @@ void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addWeatherCommand(app, common, chosen);
     addAirCommand(app, common, chosen);
     addTerrainCommand(app, common, chosen);
+    addSettingsCommand(app, common, chosen);
 }
 }  // namespace luftpost::app

@@ -48,6 +48,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
 void addBenchCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addTerrainCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
+void addSettingsCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
 /// Adds every command (commands.cpp: one line each).
 void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen);

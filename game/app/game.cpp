@@ -39,16 +39,12 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       surface_{surface},
       settings_{run_.settings},
       list_{settingList(settings_)},
+      stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
       renderer_{rendererOptions(run_)},
       models_{renderer_} {
     if (surface_.hasWindow()) sounds_.emplace();
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
-    if (!run_.settingsFile.empty()) {
-        Settings ignored;
-        core::SettingList list = settingList(ignored);
-        fileNotes_ = core::readPlayerSettings(list, run_.settingsFile);
-    }
     restart();
 }
 
@@ -61,7 +57,7 @@ void Game::frame(FrameStep const& step) {
     if (sounds_)
         sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
                       step.wall);
-    if (settingsChanged_ && (sinceChange_ += step.wall) > kSaveAfter) saveChanges();
+    if ((sinceChange_ += step.wall) > kSaveAfter) saveChanges();
 }
 
 void Game::readDevices(FrameStep const& step) {
@@ -150,10 +146,8 @@ void Game::restart() {
 }
 
 void Game::saveChanges() {
-    bool const changed = std::exchange(settingsChanged_, false);
-    if (!changed || run_.settingsFile.empty()) return;
     try {
-        core::writeSettings(list_, fileNotes_, run_.settingsFile);
+        stored_.write();
     } catch (core::Error const& error) {
         messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
     }

@@ -11,6 +11,7 @@
 #include "game/app/frame_clock.h"
 #include "game/app/messages.h"
 #include "game/app/play_options.h"
+#include "game/app/player_files.h"
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
@@ -64,7 +65,7 @@ private:
     platform::Surface& surface_;
     Settings settings_;
     core::SettingList list_;
-    core::SettingsFileNotes fileNotes_;
+    StoredSettings stored_;
     std::unique_ptr<Session> session_;
     render::Renderer renderer_;
     GameModels models_;
@@ -81,7 +82,6 @@ private:
     bool configOpen_ = false, keysOpen_ = false, pauseOpen_ = false;
     bool paused_ = false;
     bool quit_ = false;
-    bool settingsChanged_ = false;
     double sinceChange_ = 0.0;  // s of the player's time
 };
 }  // namespace luftpost::app

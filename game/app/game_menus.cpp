@@ -110,7 +110,7 @@ void Game::change(ui::SettingChange const& wanted) {
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
     applyGraphics();
-    settingsChanged_ = true;
+    stored_.change(wanted.key, wanted.value);
     sinceChange_ = 0.0;
 }
 

@@ -1,5 +1,8 @@
 #include "game/app/player_files.h"
 
+#include <utility>
+
+#include "engine/core/check.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/platform/paths.h"
@@ -28,6 +31,21 @@ void usePlayerFiles(CommonOptions& common, RunOptions& run) {
     if (run.save.empty()) run.save = platform::dataFolder() / "save.json";
     readSettingsBelowCommandLine(common, run.settingsFile);
     if (!common.seed) common.seed = loadCareer(run.save).seed;
+}
+
+StoredSettings::StoredSettings(fs::path file) : file_{std::move(file)}, list_{settingList(settings_)} {
+    if (!file_.empty()) notes_ = core::readPlayerSettings(list_, file_);
+}
+
+void StoredSettings::change(std::string_view key, core::SettingValue const& value) {
+    core::Setting* const setting = core::findSetting(list_, key);
+    CHECK(setting, "no setting {}", key);
+    setting->set(value);
+    changed_ = true;
+}
+
+void StoredSettings::write() {
+    if (std::exchange(changed_, false) && !file_.empty()) core::writeSettings(list_, notes_, file_);
 }
 
 bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event) {

@@ -16,6 +16,27 @@ struct RunOptions;
 /// standard output; the game starts.
 void usePlayerFiles(CommonOptions& common, RunOptions& run);
 
+/// What the player's settings file holds, apart from what the command line says for this one flight.
+class StoredSettings {
+public:
+    /// Reads the file as it is; a missing or broken one holds nothing. An empty name: nothing is stored.
+    explicit StoredSettings(std::filesystem::path file);
+    StoredSettings(StoredSettings const&) = delete;
+    StoredSettings& operator=(StoredSettings const&) = delete;
+    /// The player chose this value; it is written by `write`.
+    void change(std::string_view key, core::SettingValue const& value);
+    /// Writes atomically, when something was changed since the last time. Throws core::Error when the disk
+    /// refuses.
+    void write();
+
+private:
+    std::filesystem::path file_;
+    Settings settings_;
+    core::SettingList list_;
+    core::SettingsFileNotes notes_;
+    bool changed_ = false;
+};
+
 /// Takes a parcel that came down into the career; false when the event was something else.
 bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event);
 

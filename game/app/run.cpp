@@ -57,6 +57,14 @@ std::string complaint(CLI::App const& app, CLI::ParseError const& error) {
                        core::nearestText(names, unknown.front()));
 }
 
+/// No option of the program takes an empty text: a file, a number or a name is missing there.
+void refuseEmptyValues(CLI::App const& app) {
+    for (CLI::Option const* option : app.get_options())
+        for (std::string const& value : option->results())
+            if (value.empty()) throw core::Error{option->get_name(), "", "expected a value, found nothing"};
+    for (CLI::App const* command : app.get_subcommands()) refuseEmptyValues(*command);
+}
+
 /// The arguments, with `play` put in where no command is named.
 std::vector<std::string> argumentsOf(int argc, char** argv) {
     std::vector<std::string> arguments{argv + 1, argv + argc};
@@ -93,6 +101,7 @@ int runChosen(int argc, char** argv) {
     } catch (CLI::ParseError const& error) {
         throw core::Error{"luftpost", "", complaint(app, error)};
     }
+    refuseEmptyValues(app);
     readCommonOptions(common, texts);
     return chosen();
 }

@@ -1,5 +1,7 @@
 // All settings of the program: one struct, and the one list over the tables that the floors declare.
 #pragma once
+#include <string>
+
 #include "engine/audio/audio_settings.h"
 #include "engine/core/settings.h"
 #include "engine/render/graphics_settings.h"
@@ -21,4 +23,7 @@ struct Settings {
 /// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where
 /// it is.
 core::SettingList settingList(Settings& settings);
+
+/// docs/settings.md: every setting with its values, its default and its help, a table for each group.
+std::string settingsPage();
 }  // namespace luftpost::app

@@ -58,6 +58,15 @@ TEST(BadInput, IsFoundInEveryOption) {
     expectRefused(kFly + "--screenshot /tmp/x.png", {"--screenshot", "--no-render"});
 }
 
+TEST(BadInput, IsAnEmptyTextInAnyOption) {
+    for (char const* option : {"--log", "--report", "--screenshot", "--save-replay", "--save-weather", "--save", "--input",
+                               "--settings", "--set", "--weather", "--bot", "--workers"})
+        expectRefused(kFly + option + " ''", {option, "nothing"});
+    expectRefused(kFly + "--log=", {"--log"});
+    expectRefused("replay ''", {"file", "nothing"});
+    expectRefused("weather ''", {"source", "nothing"});
+}
+
 TEST(BadInput, NamesMissingFolders) {
     for (char const* option : {"--log", "--report", "--save-replay", "--save-weather", "--save"})
         expectRefused(kFly + option + " /no/such/folder/file", {option, "/no/such/folder"});
