@@ -2,8 +2,8 @@
 //
 // The ray is straight in the bent picture; every sample is taken back to the flat world by flatFromCurved. Between the
 // layers it jumps to the next shell; in a shell it goes in cheap steps, that ask for outlines alone, until there may be
-// a cloud, back half a step, then in full ones, whose length is bounded by optical depth and by distance, never by the
-// length of the shell; after six empty ones it is cheap again.
+// a cloud, back to where that outline begins, then in full ones, whose length is bounded by optical depth and by distance,
+// never by the length of the shell; after nine empty ones, two thirds as long, it is cheap again.
 #ifndef LUFTPOST_CLOUD_MARCH_GLSL
 #define LUFTPOST_CLOUD_MARCH_GLSL
 #include "shaders/lib/camera.glsl"
@@ -181,15 +181,31 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
+const float kSearch = 0.65;    // full steps that look for a face, as a share of the longest
+const int kEmptySteps = 9;     // of these until they are cheap again
+
 /// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
 float faceBetween(float outside, float inside, vec3 direction, float h, float lod) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
         float middle = 0.5 * (outside + inside);
         vec3 p = flatFromCurved(direction * middle, h);
         if (cloudAt(p + vec3(0.0, h, 0.0), lod).extinction > 0.0) inside = middle;
         else outside = middle;
     }
     return inside;
+}
+
+/// The same of outlines, asked without volumes; the last place found outside. Neighbouring rays so begin their full steps
+/// side by side, and meet or miss the same thin turret.
+float outlineBetween(float outside, float inside, vec3 direction, float h) {
+    if (inside - outside < 1.0) return inside;
+    for (int i = 0; i < 4; ++i) {
+        float middle = 0.5 * (outside + inside);
+        vec3 p = flatFromCurved(direction * middle, h);
+        if (cloudMayBeAt(p + vec3(0.0, h, 0.0))) inside = middle;
+        else outside = middle;
+    }
+    return outside;
 }
 
 /// Where a ray stands between its samples.
@@ -199,7 +215,7 @@ struct Walk {
     float stride;  // m, of the next step
     bool full;     // full steps, else cheap ones
     int empty;     // full steps without cloud since the last one with
-    int left;      // steps that may still be taken
+    int left;      // thirds of steps that may still be taken
 };
 
 float longestStep(float t) { return clouds.step.x + clouds.step.y * t; }
@@ -216,28 +232,35 @@ vec3 placeAt(vec3 direction, float t, float h) {
 bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk, out CloudSample here, out vec3 p) {
     here = noCloud();
     p = vec3(0.0);
-    while (walk.t < end && --walk.left > 0) {
+    while (walk.t < end && walk.left > 0) {
+        walk.left -= 3;
         p = placeAt(direction, walk.t, h);
         float longest = longestStep(walk.t);
         if (!insideAnyShell(p.y)) {
             walk.face = nextFace(h, direction.y, walk.t, end) + 0.5;
             walk.t = walk.face;
+            walk.stride = 0.0;
             walk.full = false;
         } else if (!walk.full) {
             if (cloudMayBeAt(p)) {
                 walk.full = true;
-                walk.stride = min(longest * (0.3 + 0.7 * random), walk.t - walk.face);
+                walk.t = outlineBetween(walk.t - walk.stride, walk.t, direction, h);
+                walk.stride = min(kSearch * longest, walk.t - walk.face);
                 walk.empty = walk.stride > 1.0 ? 1 : 0;
-                walk.t -= walk.stride;
             } else {
-                walk.t += (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
+                walk.stride = (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
+                walk.t += walk.stride;
             }
         } else {
             here = cloudAt(p, lodAt(walk.t, walk.stride));
             if (here.extinction > 0.0) return true;
-            walk.stride = longest;
-            walk.t += longest;
-            if (++walk.empty >= 6) walk.full = false;
+            walk.left += 1;  // charged by its length
+            walk.stride = kSearch * longest;
+            walk.t += walk.stride;
+            if (++walk.empty >= kEmptySteps) {
+                walk.full = false;
+                walk.stride = 0.0;  // all behind is known: nowhere to go back to
+            }
         }
     }
     return false;
@@ -249,7 +272,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     MarchResult ray = MarchResult(vec3(0.0), 1.0, 0.0);
     float weights = 0.0;
     float cosine = dot(direction, key.toward);
-    Walk walk = Walk(0.0, 0.0, 0.0, false, 0, clouds.march.y);
+    Walk walk = Walk(0.0, 0.0, 0.0, false, 0, 3 * clouds.march.y);
     LightThere there;
     there.asked = -1.0e6;
     CloudSample here;
@@ -265,7 +288,8 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             walk.stride = min(2.0 * shortest, longest);
             walk.empty = 0;
         }
-        float length = min(walk.stride, max(0.9 / max(here.extinction, 1e-5), shortest));
+        // An eye inside a cloud starts with no stride behind it.
+        float length = min(max(walk.stride, shortest), max(0.9 / max(here.extinction, 1e-5), shortest));
         float kept = exp(-here.extinction * length);
         float weight = ray.through * (1.0 - kept);
         if (walk.t > there.asked + 2000.0 + 0.1 * walk.t) there = lightThere(p, direction, walk.t, key);

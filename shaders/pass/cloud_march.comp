@@ -18,7 +18,9 @@ void main() {
         return;
     }
     float land = distanceOfDepth(texelFetch(depthTarget, ivec2(centre), 0).r, centre);
-    MarchResult ray = marchClouds(rayDirection(centre), land, randomOf(pixel));
+    // A picture of all rays has none before it to be averaged with: what differs from ray to ray would stay in it as dots.
+    float random = clouds.march.w == 1 ? 0.5 : randomOf(pixel);
+    MarchResult ray = marchClouds(rayDirection(centre), land, random);
     imageStore(lightTarget, place, vec4(min(ray.light * frame.exposure.x, vec3(60000.0)), ray.through));
     imageStore(distanceTarget, place, vec4(ray.distance, land, 0.0, 0.0));
 }
