@@ -97,7 +97,7 @@ TEST(CloudColumn, NoCoverIsEmptyAndFullCoverIsClosed) {
     }
 }
 
-TEST(CloudColumn, ThresholdRisesWithCover) {
+TEST(CloudColumn, ThresholdNeverFallsWithCover) {
     for (int genus = 0; genus < kGenera; ++genus)
         for (float thickness : {100.0f, 700.0f, 5000.0f}) {
             float before = calibratedCover(static_cast<Genus>(genus), 0.0f, thickness);
