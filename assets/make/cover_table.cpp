@@ -14,7 +14,7 @@
 
 namespace {
 using namespace luftpost;
-constexpr int kColumns = 3000;
+constexpr int kColumns = 12000;
 constexpr std::array kCovers{0.02f, 0.05f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f, 0.95f, 0.98f};
 constexpr std::array kThicknesses{300.0f, 1000.0f, 3000.0f};
 

@@ -12,25 +12,27 @@ namespace {
 constexpr float kEmpty = -1.0f;   // no rank, however frayed, is below it
 constexpr float kClosed = 2.0f;   // every rank is, by far
 
-/// How a genus is formed; the columns are LayerShape's form and look.
+/// How a genus is formed; the columns are LayerShape's form, look and body.
 struct Form {
     float domeWidth, lens, carve, detail;
-    float softness, fray, variety;
+    float softness, fray, variety, reach;
+    double grain;           // size of the noise against a cumulus'
     bool sheet;
-    double along, across;  // m, period of the fibres' grain
+    double along, across;   // m, period of the fibres' grain
 };
 constexpr std::array<Form, kGenera> kForms{{
-    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, true, 30000.0, 2600.0},
-    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, true, 3800.0, 2900.0},
-    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, true, 36000.0, 5200.0},
-    /* Ac */ {0.28f, 0.35f, 0.42f, 0.30f, 0.35f, 0.06f, 0.00f, false, 0.0, 0.0},
-    /* As */ {0.12f, 0.40f, 0.16f, 0.10f, 0.60f, 0.05f, 0.00f, false, 0.0, 0.0},
-    /* Ns */ {0.10f, 0.10f, 0.14f, 0.12f, 0.50f, 0.04f, 0.00f, false, 0.0, 0.0},
-    /* Sc */ {0.35f, 0.12f, 0.38f, 0.25f, 0.22f, 0.05f, 0.35f, false, 0.0, 0.0},
-    /* St */ {0.12f, 0.15f, 0.25f, 0.25f, 0.45f, 0.06f, 0.00f, false, 0.0, 0.0},
-    /* Cu */ {0.22f, 0.0f, 0.80f, 0.26f, 0.10f, 0.05f, 0.60f, false, 0.0, 0.0},
-    /* Cb */ {0.36f, 0.0f, 0.46f, 0.22f, 0.08f, 0.04f, 0.35f, false, 0.0, 0.0},
-    /* fog */ {0.12f, 0.0f, 0.20f, 0.10f, 0.80f, 0.06f, 0.00f, false, 0.0, 0.0},
+    //         dome  lens   carve   detail  soft   fray   variety reach grain
+    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, 1.0f, 1.0, true, 30000.0, 2600.0},
+    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, 1.0f, 1.0, true, 3800.0, 2900.0},
+    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, 1.0f, 1.0, true, 36000.0, 5200.0},
+    /* Ac */ {0.28f, 0.30f, 90.0f, 40.0f, 70.0f, 0.06f, 0.00f, 700.0f, 0.5, false, 0.0, 0.0},
+    /* As */ {0.12f, 0.40f, 150.0f, 60.0f, 400.0f, 0.05f, 0.00f, 2500.0f, 1.0, false, 0.0, 0.0},
+    /* Ns */ {0.10f, 0.10f, 200.0f, 80.0f, 300.0f, 0.04f, 0.00f, 2500.0f, 1.0, false, 0.0, 0.0},
+    /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.75, false, 0.0, 0.0},
+    /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 1.0, false, 0.0, 0.0},
+    /* Cu */ {0.50f, 0.0f, 280.0f, 110.0f, 30.0f, 0.05f, 0.45f, 1100.0f, 1.0, false, 0.0, 0.0},
+    /* Cb */ {0.36f, 0.0f, 700.0f, 140.0f, 40.0f, 0.04f, 0.35f, 4500.0f, 2.0, false, 0.0, 0.0},
+    /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
 
@@ -129,6 +131,7 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         shape = {};
         shape.look.x = 1.0f;
         shape.form.x = 1.0f;
+        shape.body.x = 1.0f;
         if (i >= weather.layerCount) continue;
         Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
         Form const& form = formOf(layer.genus);
@@ -136,7 +139,8 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         double const grams = row.ice ? 917.0 : 1000.0;  // kg/m3, ice or water
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
         shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, static_cast<float>(1.5 / (grams * row.radius))};
-        double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale);
+        shape.body = {form.reach, 0.0f, 0.0f, 0.0f};
+        double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;
         double const rise = layer.phase * kDetailRise;
         shape.anchor = glm::vec4{anchorOf(originEastNorth, layer.drift, 0.0, (form.sheet ? kSheetPeriod : kAnchorPeriod) * scale),
                                  static_cast<float>(1.0 / (glsl::kShapePeriod * scale))};

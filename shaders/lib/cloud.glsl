@@ -7,12 +7,15 @@
 //
 // METHOD. Over every point of the plane stands a rank u, uniform on 0..1 (weather/cloud_pattern). Cloud stands where
 // u < cover: the share is right by construction. How far u lies below the cover, the margin, says how far inside the
-// outline one is, and so how high the cloud rises there: domes for cumulus, a slab for stratus. Inside that envelope
-// f falls from 1 at the base to 0 at the top; 3D noise takes its share from f, much near the top and the sides, where
-// f is small, and nothing from the base, so a column may be thinned but is never carved through. What is left of f,
-// against the softness of the genus, is the density.
-// The remapping of billows by Perlin-Worley noise and the turn from wisps at the base to billows above are Schneider's
-// (GPU Pro 7, chapter 4).
+// outline one is, and so how high the cloud rises there: domes for cumulus, a slab for stratus. That is the envelope, and
+// its shape tells, to first order, how many metres a point lies inside it: the height below the top over the steepness of
+// the side. Billows of the 3D noise then push the face in by so many metres, cells in cells: round heads with creases
+// between, which is what cauliflower is. Fine noise eats at what is left, wisps below and billows above. Metres, not
+// shares of a height, so that a small cloud is as rough as a large one. What lies deeper than the edge's softness is
+// cloud. A flat base is a face of its own that nothing pushes.
+// The density never falls as the margin grows, so a threshold of the rank (weather/cloud_column's table) puts right what
+// the noise takes from the cover.
+// Perlin-Worley and Worley billows, and the turn from wisps to billows, are Schneider's (GPU Pro 7, chapter 4).
 #ifndef LUFTPOST_CLOUD_GLSL
 #define LUFTPOST_CLOUD_GLSL
 #include "shaders/lib/noise.glsl"
@@ -24,11 +27,12 @@ GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
-// What is found at a point: extinction in 1/m, and what the light asks for: how deep in the cloud it lies, as optical
-// depth to the nearest face, and how much cloud of the envelope stands above and below, as optical depth.
+// What is found at a point: extinction in 1/m, and what the light asks for, as optical depths: how deep it lies below the
+// nearest face, how large the cloud is around it, and how much of it stands above and below.
 struct CloudSample {
     float extinction;
     float depth;
+    float bulk;
     float above;
     float below;
 };
@@ -37,6 +41,7 @@ GLSL_FUNCTION CloudSample noCloud() {
     CloudSample none;
     none.extinction = 0.0f;
     none.depth = 0.0f;
+    none.bulk = 0.0f;
     none.above = 0.0f;
     none.below = 0.0f;
     return none;
@@ -82,13 +87,54 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
 
 // The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
 GLSL_FUNCTION float billowOf(vec4 noise) {
-    return clamp((0.30f * noise.x + 0.22f * noise.y + 0.26f * noise.z + 0.22f * noise.w - 0.30f) * 2.4f, 0.0f, 1.0f);
+    return clamp((0.20f * noise.x + 0.32f * noise.y + 0.28f * noise.z + 0.20f * noise.w - 0.25f) * 2.0f, 0.0f, 1.0f);
 }
 
 // From this lod on the fine things are left out: fraying of the outlines, and the detail, whose mean is taken.
 GLSL_CONST float kCoarseLod = 2.5f;
 
-// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth.
+// The envelope of a layer over a point: heights above its base, m, and the slope of its top against the plane.
+struct Envelope {
+    float low;
+    float high;
+    float steep;
+};
+
+GLSL_FUNCTION Envelope envelopeAt(float margin, float thickness, float lower, LayerShape s) {
+    float x = 1.0f - clamp(margin / s.form.x, 0.0f, 1.0f);
+    float rise = (1.0f - x * x) * lower;
+    Envelope e;
+    e.high = rise * thickness;
+    e.low = s.form.y * (1.0f - rise) * thickness;
+    e.steep = 2.0f * x * lower * thickness / (s.form.x * s.body.x);
+    return e;
+}
+
+// Share by which the clouds of a layer stay below its top, each its own, as what is left of the height.
+GLSL_FUNCTION float heightShare(vec3 p, LayerShape s, sampler3D curl) {
+    if (s.extent.w <= 0.0f) return 1.0f;
+    float scale = s.anchor.w * (kShapePeriod / 12288.0f);
+    float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
+    return 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
+}
+
+// The lesser of two depths, rounded where they are alike to `round` m: faces meet in a shoulder, not in an edge.
+GLSL_FUNCTION float roundedMin(float a, float b, float round) {
+    float h = max(round - abs(a - b), 0.0f) / round;
+    return min(a, b) - 0.25f * round * h * h;
+}
+
+// What the fine noise takes from the faces, 0..1: wisps at the base, billows above; a quarter of it four times finer.
+GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sampler3D detail, float lod) {
+    vec3 turned = (q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - share)) * s.detail.w;
+    vec4 fine = textureLod(detail, turned, lod);
+    float wisps = 0.5f * fine.x + 0.3f * fine.y + 0.2f * fine.z;
+    if (lod < 1.0f) wisps += 0.3f * (textureLod(detail, turned * 4.0f, lod + 2.0f).x - 0.5f) * (1.0f - lod);
+    return mix(wisps, 1.0f - wisps, clamp(share * 5.0f, 0.0f, 1.0f));
+}
+
+// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
+// at lod n faces are blurred as what is 32 m 2^n wide sees them.
 GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       sampler3D curl, float lod) {
     float thickness = c.top - c.base;
@@ -101,61 +147,57 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
         return result;
     }
     vec4 plane = vec4(0.0f);
-    if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod);
+    if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
     float margin = layerMargin(c, s, plane.z);
     if (margin <= 0.0f) return result;
 
-    // Billows: strong toward the top and the sides, none at the base.
+    // Metres inside the envelope's faces.
+    Envelope e = envelopeAt(margin, thickness, heightShare(p, s, curl), s);
+    float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
+    if (belowTop <= 0.0f) return result;
+    float lens = s.form.y;
+    float aboveBase = (above - e.low) / sqrt(1.0f + lens * lens * e.steep * e.steep);
+
+    // What the noise takes from them.
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
-    float billow = billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.0f)));
-    float lift = smoothstep(0.0f, 260.0f, above);
+    float reach = min(s.form.z, 0.3f * thickness);
+    float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
+    float ripple = min(s.form.w, 0.15f * thickness);
+    float baseShare = clamp(3.0f * lens, 0.12f, 1.0f);
+    float shoulder = min(120.0f, 0.2f * thickness);
+    float inside = roundedMin(belowTop - carve, aboveBase - baseShare * carve, shoulder);
+    if (inside <= 0.0f) return result;
+    float eat = 0.5f;
+    if (lod < kCoarseLod && inside < ripple + s.look.x) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
+    inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
-    // The envelope: between which heights cloud may stand here. Billows push its sides in and out; clouds of a layer are
-    // not all of one height.
-    float rise = riseAt(max(margin + 0.7f * s.form.x * s.form.z * (billow - 0.6f) * lift, 0.0f), s.form.x);
-    if (s.extent.w > 0.0f) {
-        float scale = s.anchor.w * (kShapePeriod / 12288.0f);
-        float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
-        rise *= 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
-    }
-    float least = min(45.0f / thickness, 1.0f);
-    float low = s.form.y * (1.0f - rise);
-    float high = min(max(max(rise, least), low + least), 1.0f);
-    float h = above / thickness;
-    float within = (h - low) / (high - low);
-    if (within <= 0.0f || within >= 1.0f) return result;
-
-    float guard = smoothstep(0.0f, 0.35f, within);
-    float f = 1.0f - within - s.form.z * (1.0f - billow) * guard;
-    if (f <= 0.0f) return result;
-    // Edges: wisps below, billows above. The nearer a face, the more they take.
-    float eat = 0.45f;
-    if (lod < kCoarseLod && f < 0.5f) {
-        vec3 turned = q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - within);
-        vec4 fine = textureLod(detail, turned * s.detail.w, lod);
-        float wisps = 0.5f * fine.x + 0.3f * fine.y + 0.2f * fine.z;
-        eat = mix(wisps, 1.0f - wisps, clamp(within * 4.0f, 0.0f, 1.0f));
-    }
-    f -= s.form.w * eat * guard * (1.0f - clamp(2.0f * f, 0.0f, 1.0f));
-    float edge = clamp(f / s.look.x, 0.0f, 1.0f);
+    float blur = lod > 0.0f ? s.look.x + 16.0f * (exp2(lod) - 1.0f) : s.look.x;
+    float edge = clamp((inside - 0.5f * s.look.x) / blur + 0.5f, 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
     float full = c.water * s.look.w;
-    float tall = (high - low) * thickness;
-    result.depth = full * min(f, 0.5f * rise) * tall;
-    result.above = full * max(1.0f - s.form.z * 0.4f - within, 0.0f) * tall;
-    result.below = full * within * tall;
+    inside = max(inside, 0.0f);
+    result.depth = full * inside;
+    result.bulk = full * min(e.high - e.low, 2.0f * margin * s.body.x);
+    float crease = 0.35f * (carve + ripple * eat);  // m, what the billows around stand higher
+    result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
+    result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);
 
-    float floorSoft = clamp((above - low * thickness - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
-    result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, h);
+    float floorSoft = clamp((above - e.low - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
+    result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, above / thickness);
     return result;
 }
 
-// Optical depth, straight down, of one layer's envelope over a point: no noise, so cheap; for what is far from the eye.
-GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s) {
-    float margin = c.cover - c.rank;
-    if (margin <= 0.0f) return 0.0f;
+// Optical depth of one layer's envelope on a straight way through it, `up` the sine of the way's elevation: no noise, so
+// cheap; for what is far from the eye. A slanting way passes many clouds and gaps: what gets through nears their mean.
+GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     float thickness = c.top - c.base;
-    return 0.6f * c.water * s.look.w * thickness * (s.look.z > 0.5f ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, s.form.x));
+    float margin = c.cover - c.rank;
+    bool sheet = s.look.z > 0.5f;
+    float full = 0.6f * c.water * s.look.w * thickness / up;
+    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, s.form.x));
+    float share = clamp(c.cover, 0.0f, 0.99f);
+    float mean = -log(1.0f - share + share * exp(-min(0.7f * full, 40.0f)));
+    return mix(here, mean, clamp(thickness * sqrt(1.0f - up * up) / (up * 3000.0f), 0.0f, 1.0f));
 }
 
 // Beyond the reach of 3D detail: mean cover and optical depth. The rank is then the coarse one, and the share of the

@@ -34,13 +34,18 @@ GLSL_FUNCTION float cloudPhase(float cosine, float g) {
 // Share of a flux that gets through optical depth t of a cloud that absorbs nothing (two streams).
 GLSL_FUNCTION float diffused(float t, float g) { return 1.0f / (1.0f + 0.75f * (1.0f - g) * t); }
 
+// Albedo of a cloud of optical depth t that absorbs nothing: what `diffused` leaves.
+GLSL_FUNCTION float cloudAlbedo(float t, float g) { return 1.0f - diffused(t, g); }
+
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
-// `depth` (optical) from the nearest face. `powder` darkens thin edges beyond what physics does (0: none).
-GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float powder) {
-    float within = depth / (depth + 2.5f);
+// `depth` (optical) below the nearest face of a cloud `bulk` (optical) large. `powder` darkens thin edges beyond what
+// physics does (0: none).
+GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float bulk, float powder) {
+    float scattered = cloudAlbedo(bulk, g);
     float once = cloudPhase(cosine, g) * exp(-toLight);
-    float few = 0.45f * within * henyeyGreenstein(cosine, 0.6f * g) * exp(-0.22f * toLight);
-    float many = 3.0f * within * kIsotropic * diffused(toLight, min(g, 0.9f));
+    float few = scattered * henyeyGreenstein(cosine, 0.45f * g) * exp(-(1.0f - g) * 1.4f * toLight);
+    float leak = 1.0f - 0.6f * exp(-1.3f * (1.0f - g) * depth);
+    float many = 0.40f * scattered * leak * diffused(toLight, g);
     return (once + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 

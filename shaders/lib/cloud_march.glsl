@@ -123,7 +123,7 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod
     vec3 light = vec3(0.0);
     if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
         float toLight = depthToward(p, toward, clamp(0.5 * stepLength, 18.0, 120.0), lod) + overhead;
-        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, clouds.light.y);
+        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, here.bulk, clouds.light.y);
     }
     return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead, here.below, clouds.light.x);
 }
@@ -143,7 +143,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
     LightThere there = lightThere(place, direction, t, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = straight / slope;
-    vec3 light = there.beam * litByBeam(dot(direction, key.toward), 0.8 * clouds.light.x, toLight, straight, 0.0) +
+    vec3 light = there.beam * litByBeam(dot(direction, key.toward), 0.8 * clouds.light.x, toLight, straight, 2.0 * straight, 0.0) +
                  litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
     MarchResult result;
     result.through = exp(-depth);
@@ -288,15 +288,20 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             walk.stride = min(2.0 * shortest, longest);
             walk.empty = 0;
         }
-        // An eye inside a cloud starts with no stride behind it.
+        // The step's middle stands for it. An eye inside a cloud starts with no stride behind it.
         float length = min(max(walk.stride, shortest), max(0.9 / max(here.extinction, 1e-5), shortest));
-        float kept = exp(-here.extinction * length);
-        float weight = ray.through * (1.0 - kept);
-        if (walk.t > there.asked + 2000.0 + 0.1 * walk.t) there = lightThere(p, direction, walk.t, key);
-        ray.light += weight * lightAt(p, there, here, cosine, lod, length);
-        ray.distance += weight * walk.t;
-        weights += weight;
-        ray.through *= kept;
+        float middle = walk.t + 0.5 * length;
+        p = placeAt(direction, middle, h);
+        here = cloudAt(p, lod);
+        if (here.extinction > 0.0) {
+            float kept = exp(-here.extinction * length);
+            float weight = ray.through * (1.0 - kept);
+            if (middle > there.asked + 2000.0 + 0.1 * middle) there = lightThere(p, direction, middle, key);
+            ray.light += weight * lightAt(p, there, here, cosine, lod, length);
+            ray.distance += weight * middle;
+            weights += weight;
+            ray.through *= kept;
+        }
         walk.t += length;
         walk.stride = min(length * 1.5, longest);
     }

@@ -47,6 +47,7 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     float far = distantExtinction(p.y, column, clouds.shapes[layer]);
     near.extinction = mix(near.extinction, far, coarse);
     near.depth = mix(near.depth, 6.0, coarse);
+    near.bulk = mix(near.bulk, 30.0, coarse);
     near.above = mix(near.above, 12.0 * (column.top - p.y) / (column.top - column.base), coarse);
     near.below = mix(near.below, 12.0 * (p.y - column.base) / (column.top - column.base), coarse);
     return near;
@@ -66,6 +67,7 @@ CloudSample cloudAt(vec3 p, float lod) {
         if (one.extinction <= 0.0) continue;
         float share = one.extinction / (sum.extinction + one.extinction);
         sum.depth = max(sum.depth, one.depth);
+        sum.bulk = max(sum.bulk, one.bulk);
         sum.above = mix(sum.above, one.above, share);
         sum.below = mix(sum.below, one.below, share);
         sum.extinction += one.extinction;
@@ -82,42 +84,44 @@ bool cloudMayBeAt(vec3 p) {
         LayerShape s = clouds.shapes[layer];
         float margin = c.cover - c.rank + s.look.y + 0.4 * coarse;
         if (margin <= 0.0 || p.y <= c.base || p.y >= c.top) continue;
-        float rise = max(riseAt(margin, s.form.x), min(70.0 / (c.top - c.base), 1.0) + s.form.y);
-        if (p.y - c.base <= rise * (c.top - c.base) || coarse > 0.0) return true;
+        if (p.y - c.base <= riseAt(margin, s.form.x) * (c.top - c.base) || coarse > 0.0) return true;
     }
     return false;
 }
 
-/// Optical depth of the layers that lie wholly above `p`'s own, where a way along `toward` passes them.
+/// Optical depth of the layers that lie above `p`'s own, where a way along `toward` passes them.
 float depthOfLayersAbove(vec3 p, vec3 toward) {
     float sum = 0.0;
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         vec4 extent = clouds.shapes[layer].extent;
-        if (extent.z < 0.5 || extent.x < p.y) continue;
+        float middle = 0.5 * (extent.x + extent.y);
+        if (extent.z < 0.5 || middle < p.y) continue;
         float coarse;
         float up = max(toward.y, 0.08);
-        vec2 place = p.xz + toward.xz * (0.5 * (extent.x + extent.y) - p.y) / up;
-        LayerColumn c = columnAt(layer, place, coarse);
-        sum += envelopeDepth(c, clouds.shapes[layer]) / up;
+        LayerColumn c = columnAt(layer, p.xz + toward.xz * (middle - p.y) / up, coarse);
+        float share = clamp((middle - p.y) / (middle - extent.x), 0.0, 1.0);
+        sum += share * envelopeDepth(c, clouds.shapes[layer], up);
     }
     return sum;
 }
 
-/// Optical depth from `p` toward a light: six samples in a widening cone and a far one, then the layers above.
+/// Optical depth from `p` toward a light: six samples in a widening cone and a far one. Each sees the cloud as blurred as
+/// its stretch is long, so that a shadow has no steps; the near ones see every billow.
 float depthToward(vec3 p, vec3 toward, float first, float lod) {
     vec3 side = normalize(abs(toward.y) < 0.9 ? vec3(toward.z, 0.0, -toward.x) : vec3(1.0, 0.0, 0.0));
     vec3 other = cross(toward, side);
     float sum = 0.0;
     float start = 0.0;
-    float end = first;
+    float stretch = first;
     for (int i = 0; i < 7; ++i) {
-        float at = 0.5 * (start + end);
+        float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        sum += cloudAt(p + toward * at + sideways, max(kCoarseLod, lod)).extinction * (end - start);
-        start = end;
-        end = i == 5 ? 3.0 * end : 1.9 * end;
-        if (sum > 40.0) break;
+        float blur = log2(max(stretch * (1.0 / 32.0), 1.0));
+        sum += cloudAt(p + toward * at + sideways, max(blur, lod)).extinction * stretch;
+        start += stretch;
+        stretch *= i == 5 ? 3.0 : 1.9;
+        if (sum > 60.0) break;
     }
     return sum;
 }

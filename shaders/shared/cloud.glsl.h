@@ -26,9 +26,10 @@ struct CloudColumn {
 // What a layer looks like, wherever it stands: its genus' form, and where its noise lies.
 struct LayerShape {
     vec4 form;    // x: margin of the rank at which a top reaches full height; y: share by which thin parts rise from the
-                  // base; z: how far billows carve (share of the height); w: how far the detail does
-    vec4 look;    // x: softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction of
-                  // one kg/m3
+                  // base; z: m, how far billows push the faces in; w: m, how far the detail does
+    vec4 look;    // x: m, softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction
+                  // of one kg/m3
+    vec4 body;    // x: m in the plane over which the rank changes by 1
     vec4 anchor;  // xyz: m, add to a position to come to the frame that drifts with the layer (wrapped); w: 1/m, periods
                   // of the shape volume
     vec4 detail;  // the same of the detail volume, which drifts a little faster
