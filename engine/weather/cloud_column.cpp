@@ -15,24 +15,24 @@ constexpr float kClosed = 2.0f;   // every rank is, by far
 /// How a genus is formed; the columns are LayerShape's form, look and body.
 struct Form {
     float domeWidth, lens, carve, detail;
-    float softness, fray, variety, reach;
+    float softness, fray, variety, reach, anvil;
     double grain;           // size of the noise against a cumulus'
     bool sheet;
     double along, across;   // m, period of the fibres' grain
 };
 constexpr std::array<Form, kGenera> kForms{{
-    //         dome  lens   carve   detail  soft   fray   variety reach grain
-    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, 1.0f, 1.0, true, 30000.0, 2600.0},
-    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, 1.0f, 1.0, true, 3800.0, 2900.0},
-    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, 1.0f, 1.0, true, 36000.0, 5200.0},
-    /* Ac */ {0.28f, 0.30f, 90.0f, 40.0f, 70.0f, 0.06f, 0.00f, 700.0f, 0.5, false, 0.0, 0.0},
-    /* As */ {0.12f, 0.40f, 150.0f, 60.0f, 400.0f, 0.05f, 0.00f, 2500.0f, 1.0, false, 0.0, 0.0},
-    /* Ns */ {0.10f, 0.10f, 200.0f, 80.0f, 300.0f, 0.04f, 0.00f, 2500.0f, 1.0, false, 0.0, 0.0},
-    /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.75, false, 0.0, 0.0},
-    /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 1.0, false, 0.0, 0.0},
-    /* Cu */ {0.50f, 0.0f, 280.0f, 110.0f, 30.0f, 0.05f, 0.45f, 1100.0f, 1.0, false, 0.0, 0.0},
-    /* Cb */ {0.36f, 0.0f, 700.0f, 140.0f, 40.0f, 0.04f, 0.35f, 4500.0f, 2.0, false, 0.0, 0.0},
-    /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 1.0, false, 0.0, 0.0},
+    //         dome  lens   carve   detail  soft   fray   variety reach anvil grain
+    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, 1.0f, 0.0f, 1.0, true, 30000.0, 2600.0},
+    /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, 1.0f, 0.0f, 1.0, true, 3800.0, 2900.0},
+    /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, 1.0f, 0.0f, 1.0, true, 36000.0, 5200.0},
+    /* Ac */ {0.28f, 0.30f, 90.0f, 40.0f, 70.0f, 0.06f, 0.00f, 700.0f, 0.0f, 0.5, false, 0.0, 0.0},
+    /* As */ {0.12f, 0.40f, 150.0f, 60.0f, 400.0f, 0.05f, 0.00f, 2500.0f, 0.0f, 1.0, false, 0.0, 0.0},
+    /* Ns */ {0.10f, 0.10f, 200.0f, 80.0f, 300.0f, 0.04f, 0.00f, 2500.0f, 0.0f, 1.0, false, 0.0, 0.0},
+    /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.0f, 0.75, false, 0.0, 0.0},
+    /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
+    /* Cu */ {0.50f, 0.0f, 300.0f, 140.0f, 20.0f, 0.05f, 0.45f, 1100.0f, 0.0f, 1.0, false, 0.0, 0.0},
+    /* Cb */ {0.28f, 0.0f, 1500.0f, 220.0f, 50.0f, 0.03f, 0.25f, 5000.0f, 0.15f, 3.0, false, 0.0, 0.0},
+    /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
 
@@ -139,7 +139,8 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         double const grams = row.ice ? 917.0 : 1000.0;  // kg/m3, ice or water
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
         shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, static_cast<float>(1.5 / (grams * row.radius))};
-        shape.body = {form.reach, 0.0f, 0.0f, 0.0f};
+        float const threshold = std::clamp(calibratedCover(layer.genus, layer.cover, layer.top - layer.base), 0.0f, kClosed);
+        shape.body = {form.reach, threshold - layer.cover, form.anvil, 0.0f};
         double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;
         double const rise = layer.phase * kDetailRise;
         shape.anchor = glm::vec4{anchorOf(originEastNorth, layer.drift, 0.0, (form.sheet ? kSheetPeriod : kAnchorPeriod) * scale),

@@ -57,7 +57,7 @@ GLSL_FUNCTION vec4 planeNoise(sampler3D curl, LayerShape s, vec3 p, float lod) {
 // 0 at an empty and at a closed cover, 1 between: outlines fray only where there are outlines.
 GLSL_FUNCTION float frayWindow(float cover) { return clamp(8.0f * cover * (1.0f - cover), 0.0f, 1.0f); }
 
-// How far inside its outline the layer is over a point, in rank: below 0 there is none of it.
+// How far inside its outline the layer is over a point, in rank: below 0 there is none of it. High up an anvil spreads.
 GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
     return c.cover - c.rank + fray * s.look.y * frayWindow(c.cover);
 }
@@ -80,9 +80,9 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     float margin = layerMargin(c, s, grain);
     if (margin <= 0.0f) return 0.0f;
     float full = c.water * s.look.w * (c.top - c.base);
-    float strand = clamp(0.5f + 0.8f * grain + 0.6f * thread, 0.05f, 1.5f);
-    float body = ramp(margin, 0.0f, s.form.x);
-    return 0.055f * ramp(margin, 0.0f, 0.03f) + full * body * body * strand;
+    float strand = clamp(0.55f + 0.9f * grain + 0.7f * thread, 0.12f, 1.4f);
+    float body = smoothstep(0.0f, s.form.x, margin);
+    return full * body * strand * strand * 1.8f;
 }
 
 // The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
@@ -101,7 +101,7 @@ struct Envelope {
 };
 
 GLSL_FUNCTION Envelope envelopeAt(float margin, float thickness, float lower, LayerShape s) {
-    float x = 1.0f - clamp(margin / s.form.x, 0.0f, 1.0f);
+    float x = clamp(1.0f - margin / s.form.x, 0.0f, 2.0f);  // over 1: outside, where the side goes on down
     float rise = (1.0f - x * x) * lower;
     Envelope e;
     e.high = rise * thickness;
@@ -140,21 +140,24 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
-    if (above <= 0.0f || above >= thickness || c.cover - c.rank + s.look.y <= 0.0f) return result;
+    if (above <= 0.0f || above >= thickness) return result;
     if (s.look.z > 0.5f) {
         float share = above / thickness;
         result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
         return result;
     }
+    float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;  // m; half of it reaches outside
+    float reaches = 0.5f * blur;
+    if (c.cover - c.rank + s.look.y + s.body.z + reaches / s.body.x <= 0.0f) return result;
     vec4 plane = vec4(0.0f);
     if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
-    float margin = layerMargin(c, s, plane.z);
-    if (margin <= 0.0f) return result;
+    float margin = layerMargin(c, s, plane.z) + s.body.z * smoothstep(0.62f, 0.92f, above / thickness);
+    if (margin <= -reaches / s.body.x) return result;
 
     // Metres inside the envelope's faces.
     Envelope e = envelopeAt(margin, thickness, heightShare(p, s, curl), s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
-    if (belowTop <= 0.0f) return result;
+    if (belowTop <= -reaches) return result;
     float lens = s.form.y;
     float aboveBase = (above - e.low) / sqrt(1.0f + lens * lens * e.steep * e.steep);
 
@@ -163,22 +166,21 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float reach = min(s.form.z, 0.3f * thickness);
     float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
     float ripple = min(s.form.w, 0.15f * thickness);
-    float baseShare = clamp(3.0f * lens, 0.12f, 1.0f);
+    float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
     float shoulder = min(120.0f, 0.2f * thickness);
     float inside = roundedMin(belowTop - carve, aboveBase - baseShare * carve, shoulder);
-    if (inside <= 0.0f) return result;
+    if (inside <= -reaches) return result;
     float eat = 0.5f;
     if (lod < kCoarseLod && inside < ripple + s.look.x) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
     inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
-    float blur = lod > 0.0f ? s.look.x + 16.0f * (exp2(lod) - 1.0f) : s.look.x;
-    float edge = clamp((inside - 0.5f * s.look.x) / blur + 0.5f, 0.0f, 1.0f);
+    float edge = clamp((inside + reaches) / (s.look.x + blur), 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
     float full = c.water * s.look.w;
     inside = max(inside, 0.0f);
     result.depth = full * inside;
-    result.bulk = full * min(e.high - e.low, 2.0f * margin * s.body.x);
-    float crease = 0.35f * (carve + ripple * eat);  // m, what the billows around stand higher
+    result.bulk = full * max(min(e.high - e.low, 2.0f * margin * s.body.x), 0.0f);
+    float crease = 0.35f * carve + 0.9f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
     result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);
 
@@ -200,14 +202,17 @@ GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     return mix(here, mean, clamp(thickness * sqrt(1.0f - up * up) / (up * 3000.0f), 0.0f, 1.0f));
 }
 
-// Beyond the reach of 3D detail: mean cover and optical depth. The rank is then the coarse one, and the share of the
-// ground under cloud rises softly where it passes below the cover.
+// Beyond the reach of 3D detail: the mean of many clouds. The rank is then the coarse one, and the share of the ground
+// under cloud rises softly where it passes below the cover. A way through clouds of chord k that cover the share c meets
+// one every k (1 - c) / c; fewer reach far up.
 GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
-    float thickness = c.top - c.base;
-    float h = (y - c.base) / thickness;
-    if (h <= 0.0f || h >= 1.0f) return 0.0f;
-    float share = smoothstep(-0.4f, 0.4f, c.cover - c.rank) * clamp(8.0f * c.cover, 0.0f, 1.0f);
-    return 0.08f * share * share * c.water * s.look.w * clamp(4.0f * h, 0.0f, 1.0f) * (1.0f - h * (1.0f - share));
+    float h = (y - c.base) / (c.top - c.base);
+    float cover = clamp(c.cover - s.body.y, 0.0f, 1.0f);
+    if (h <= 0.0f || h >= 1.0f || cover <= 0.0f) return 0.0f;
+    float share = mix(cover, smoothstep(-0.45f, 0.45f, cover - c.rank), min(4.0f * cover * (1.0f - cover), 1.0f));
+    float met = share / (1.2f * s.body.x * (1.02f - share));
+    float reaching = 1.0f - h * (1.0f - 0.5f * share);
+    return min(met * reaching * reaching, 0.3f * c.water * s.look.w);
 }
 
 // Extinction of all the clouds at a point, 1/m.

@@ -116,13 +116,13 @@ LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
 }
 
 /// Radiance per optical depth at a sample.
-vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float stepLength) {
+vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float first) {
     vec3 toward = there.toward;
     vec3 beam = there.beam;
     float overhead = depthOfLayersAbove(p, toward);
     vec3 light = vec3(0.0);
     if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
-        float toLight = depthToward(p, toward, clamp(0.5 * stepLength, 18.0, 120.0), lod) + overhead;
+        float toLight = depthToward(p, toward, first, lod) + overhead;
         light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, here.bulk, clouds.light.y);
     }
     return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead, here.below, clouds.light.x);
@@ -297,7 +297,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             float kept = exp(-here.extinction * length);
             float weight = ray.through * (1.0 - kept);
             if (middle > there.asked + 2000.0 + 0.1 * middle) there = lightThere(p, direction, middle, key);
-            ray.light += weight * lightAt(p, there, here, cosine, lod, length);
+            ray.light += weight * lightAt(p, there, here, cosine, lod, clamp(max(0.5 * length, 1.5 * middle * frame.projection.w), 18.0, 240.0));
             ray.distance += weight * middle;
             weights += weight;
             ray.through *= kept;

@@ -46,10 +46,11 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     if (coarse <= 0.0) return near;
     float far = distantExtinction(p.y, column, clouds.shapes[layer]);
     near.extinction = mix(near.extinction, far, coarse);
-    near.depth = mix(near.depth, 6.0, coarse);
-    near.bulk = mix(near.bulk, 30.0, coarse);
-    near.above = mix(near.above, 12.0 * (column.top - p.y) / (column.top - column.base), coarse);
-    near.below = mix(near.below, 12.0 * (p.y - column.base) / (column.top - column.base), coarse);
+    float h = (p.y - column.base) / (column.top - column.base);
+    near.depth = mix(near.depth, 0.5, coarse);
+    near.bulk = mix(near.bulk, 15.0, coarse);
+    near.above = mix(near.above, 8.0 * (1.0 - h), coarse);
+    near.below = mix(near.below, 8.0 * h, coarse);
     return near;
 }
 
@@ -82,7 +83,7 @@ bool cloudMayBeAt(vec3 p) {
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
-        float margin = c.cover - c.rank + s.look.y + 0.4 * coarse;
+        float margin = c.cover - c.rank + s.look.y + s.body.z + 0.4 * coarse;
         if (margin <= 0.0 || p.y <= c.base || p.y >= c.top) continue;
         if (p.y - c.base <= riseAt(margin, s.form.x) * (c.top - c.base) || coarse > 0.0) return true;
     }
@@ -105,24 +106,33 @@ float depthOfLayersAbove(vec3 p, vec3 toward) {
     return sum;
 }
 
-/// Optical depth from `p` toward a light: six samples in a widening cone and a far one. Each sees the cloud as blurred as
+/// Altitude over which no layer with a body reaches.
+float highestTop() {
+    float top = -1.0e5;
+    for (int layer = 0; layer < clouds.march.x; ++layer)
+        if (clouds.shapes[layer].look.z < 0.5) top = max(top, clouds.shapes[layer].extent.y);
+    return top;
+}
+
+/// Optical depth from `p` toward a light: six samples in a widening cone and three far ones. Each sees the cloud as blurred as
 /// its stretch is long, so that a shadow has no steps; the near ones see every billow.
 float depthToward(vec3 p, vec3 toward, float first, float lod) {
     vec3 side = normalize(abs(toward.y) < 0.9 ? vec3(toward.z, 0.0, -toward.x) : vec3(1.0, 0.0, 0.0));
     vec3 other = cross(toward, side);
+    float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
     float sum = 0.0;
     float start = 0.0;
     float stretch = first;
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 9 && start < leaves && sum < 60.0; ++i) {
+        stretch = min(stretch, leaves - start);
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
         float blur = log2(max(stretch * (1.0 / 32.0), 1.0));
         sum += cloudAt(p + toward * at + sideways, max(blur, lod)).extinction * stretch;
         start += stretch;
-        stretch *= i == 5 ? 3.0 : 1.9;
-        if (sum > 60.0) break;
+        stretch *= i < 5 ? 1.9 : 3.0;
     }
-    return sum;
+    return min(sum, 60.0);
 }
 #endif
