@@ -22,7 +22,7 @@ struct Form {
 };
 constexpr std::array<Form, kGenera> kForms{{
     //         dome  lens   carve   detail  soft   fray   variety reach anvil grain
-    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, 1.0f, 0.0f, 1.0, true, 30000.0, 2600.0},
+    /* Ci */ {0.60f, 0.0f, 0.0f, 0.0f, 1.0f, 0.22f, 0.00f, 1.0f, 0.0f, 1.0, true, 44000.0, 2900.0},
     /* Cc */ {0.30f, 0.0f, 0.0f, 0.0f, 1.0f, 0.20f, 0.00f, 1.0f, 0.0f, 1.0, true, 3800.0, 2900.0},
     /* Cs */ {0.20f, 0.0f, 0.0f, 0.0f, 1.0f, 0.10f, 0.00f, 1.0f, 0.0f, 1.0, true, 36000.0, 5200.0},
     /* Ac */ {0.28f, 0.30f, 90.0f, 40.0f, 70.0f, 0.06f, 0.00f, 700.0f, 0.0f, 0.5, false, 0.0, 0.0},

@@ -27,10 +27,12 @@ GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
-// What is found at a point: extinction in 1/m, and what the light asks for, as optical depths: how deep it lies below the
-// nearest face, how large the cloud is around it, and how much of it stands above and below.
+// What is found at a point: extinction in 1/m; where there is none, about how far the nearest face is, m; and what the
+// light asks for, as optical depths: how deep it lies below the nearest face, how large the cloud is around it, and how
+// much of it stands above and below.
 struct CloudSample {
     float extinction;
+    float outside;
     float depth;
     float bulk;
     float above;
@@ -40,6 +42,7 @@ struct CloudSample {
 GLSL_FUNCTION CloudSample noCloud() {
     CloudSample none;
     none.extinction = 0.0f;
+    none.outside = 1.0e6f;
     none.depth = 0.0f;
     none.bulk = 0.0f;
     none.above = 0.0f;
@@ -73,16 +76,17 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     float x = p.x + s.anchor.x;
     float z = p.z + s.anchor.z;
     vec4 bend = textureLod(curl, vec3(x * s.fibre.z * 0.31f, z * s.fibre.z * 0.31f, 0.5f), lod) * 2.0f - vec4(1.0f);
-    float along = (x * s.fibre.x + z * s.fibre.y) * s.fibre.z + 0.045f * bend.x;
-    float across = (z * s.fibre.x - x * s.fibre.y) * s.fibre.w + 0.10f * bend.y;
+    float along = (x * s.fibre.x + z * s.fibre.y) * s.fibre.z + 0.06f * bend.x;
+    float across = (z * s.fibre.x - x * s.fibre.y) * s.fibre.w + 0.22f * bend.y;
     float grain = textureLod(curl, vec3(along, across, 0.5f), lod).w * 2.0f - 1.0f;
     float thread = textureLod(curl, vec3(along * 2.0f, across * 3.0f, 0.5f), lod + 1.5f).z * 2.0f - 1.0f;
-    float margin = layerMargin(c, s, grain);
+    float margin = layerMargin(c, s, 0.5f * (grain + thread));
     if (margin <= 0.0f) return 0.0f;
+    // A veil that just counts as cover, and in it strands that gather toward the middle.
     float full = c.water * s.look.w * (c.top - c.base);
-    float strand = clamp(0.55f + 0.9f * grain + 0.7f * thread, 0.12f, 1.4f);
-    float body = smoothstep(0.0f, s.form.x, margin);
-    return full * body * strand * strand * 1.8f;
+    float strand = clamp(0.5f + 0.9f * grain + 0.7f * thread, 0.0f, 1.4f);
+    float body = smoothstep(0.0f, 1.6f * s.form.x, margin);
+    return 0.07f * smoothstep(0.0f, 0.15f, margin) + full * body * strand * strand;
 }
 
 // The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
@@ -128,8 +132,12 @@ GLSL_FUNCTION float roundedMin(float a, float b, float round) {
 GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sampler3D detail, float lod) {
     vec3 turned = (q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - share)) * s.detail.w;
     vec4 fine = textureLod(detail, turned, lod);
-    float wisps = 0.5f * fine.x + 0.3f * fine.y + 0.2f * fine.z;
-    if (lod < 1.0f) wisps += 0.3f * (textureLod(detail, turned * 4.0f, lod + 2.0f).x - 0.5f) * (1.0f - lod);
+    float wisps = 0.45f * fine.x + 0.3f * fine.y + 0.25f * fine.z;
+    if (lod < 1.0f) {
+        vec4 finer = textureLod(detail, turned * 4.0f, lod + 1.0f);
+        wisps += (0.22f * finer.x + 0.14f * finer.y - 0.18f) * (1.0f - lod);
+    }
+    wisps = clamp(1.7f * wisps - 0.35f, 0.0f, 1.0f);
     return mix(wisps, 1.0f - wisps, clamp(share * 5.0f, 0.0f, 1.0f));
 }
 
@@ -148,16 +156,19 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     }
     float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;  // m; half of it reaches outside
     float reaches = 0.5f * blur;
-    if (c.cover - c.rank + s.look.y + s.body.z + reaches / s.body.x <= 0.0f) return result;
+    result.outside = (c.rank - c.cover - s.look.y - s.body.z) * s.body.x;
+    if (result.outside >= reaches) return result;
     vec4 plane = vec4(0.0f);
     if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
     float margin = layerMargin(c, s, plane.z) + s.body.z * smoothstep(0.62f, 0.92f, above / thickness);
-    if (margin <= -reaches / s.body.x) return result;
+    result.outside = -margin * s.body.x;
+    if (result.outside >= reaches) return result;
 
     // Metres inside the envelope's faces.
     Envelope e = envelopeAt(margin, thickness, heightShare(p, s, curl), s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
-    if (belowTop <= -reaches) return result;
+    result.outside = -belowTop;
+    if (result.outside >= reaches) return result;
     float lens = s.form.y;
     float aboveBase = (above - e.low) / sqrt(1.0f + lens * lens * e.steep * e.steep);
 
@@ -169,11 +180,13 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
     float shoulder = min(120.0f, 0.2f * thickness);
     float inside = roundedMin(belowTop - carve, aboveBase - baseShare * carve, shoulder);
-    if (inside <= -reaches) return result;
+    result.outside = -inside;
+    if (result.outside >= reaches) return result;
     float eat = 0.5f;
     if (lod < kCoarseLod && inside < ripple + s.look.x) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
     inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
+    result.outside = max(-inside, 0.0f);
     float edge = clamp((inside + reaches) / (s.look.x + blur), 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
     float full = c.water * s.look.w;

@@ -181,8 +181,9 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
-const float kSearch = 0.65;    // full steps that look for a face, as a share of the longest
-const int kEmptySteps = 9;     // of these until they are cheap again
+const float kSearch = 0.65;       // full steps that look for a face, as a share of the longest: at most,
+const float kShortSearch = 0.25;  // and at least
+const int kEmptySteps = 9;        // of these until they are cheap again
 
 /// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
 float faceBetween(float outside, float inside, vec3 direction, float h, float lod) {
@@ -254,8 +255,10 @@ bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk
         } else {
             here = cloudAt(p, lodAt(walk.t, walk.stride));
             if (here.extinction > 0.0) return true;
-            walk.left += 1;  // charged by its length
-            walk.stride = kSearch * longest;
+            // On to the face, whose distance is known to first order: short steps where a turret may be missed.
+            float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
+            walk.left += 3 - int(3.0 * share);  // charged by its length
+            walk.stride = share * longest;
             walk.t += walk.stride;
             if (++walk.empty >= kEmptySteps) {
                 walk.full = false;

@@ -65,6 +65,7 @@ CloudSample cloudAt(vec3 p, float lod) {
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         if (!layerReaches(layer, p.y)) continue;
         CloudSample one = layerAt(layer, p, lod);
+        sum.outside = min(sum.outside, one.outside);
         if (one.extinction <= 0.0) continue;
         float share = one.extinction / (sum.extinction + one.extinction);
         sum.depth = max(sum.depth, one.depth);
