@@ -183,6 +183,7 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
 
 const float kSearch = 0.65;       // full steps that look for a face, as a share of the longest: at most,
 const float kShortSearch = 0.25;  // and at least
+const float kOpaque = 0.025;      // transmittance that counts as none
 const int kEmptySteps = 9;        // of these until they are cheap again
 
 /// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
@@ -280,7 +281,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     there.asked = -1.0e6;
     CloudSample here;
     vec3 p;
-    while (ray.through > 0.015 && findCloud(direction, h, end, random, walk, here, p)) {
+    while (ray.through > kOpaque && findCloud(direction, h, end, random, walk, here, p)) {
         float longest = longestStep(walk.t);
         float shortest = max(10.0, 0.0015 * walk.t);
         float lod = lodAt(walk.t, walk.stride);
@@ -292,7 +293,8 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             walk.empty = 0;
         }
         // The step's middle stands for it. An eye inside a cloud starts with no stride behind it.
-        float length = min(max(walk.stride, shortest), max(0.9 / max(here.extinction, 1e-5), shortest));
+        float depth = mix(1.8, 0.8, ray.through);  // what little still reaches the eye needs no fine steps
+        float length = min(max(walk.stride, shortest), max(depth / max(here.extinction, 1e-5), shortest));
         float middle = walk.t + 0.5 * length;
         p = placeAt(direction, middle, h);
         here = cloudAt(p, lod);
@@ -309,7 +311,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
         walk.stride = min(length * 1.5, longest);
     }
     ray.distance = weights > 1e-5 ? ray.distance / weights : min(end, clouds.step.z);
-    if (ray.through <= 0.015) {
+    if (ray.through <= kOpaque) {
         ray.light /= 1.0 - ray.through;
         ray.through = 0.0;
     }

@@ -129,7 +129,7 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        float blur = log2(max(stretch * (1.0 / 32.0), 1.0));
+        float blur = log2(max(stretch * (1.0 / 32.0), 2.0));
         sum += cloudAt(p + toward * at + sideways, max(blur, lod)).extinction * stretch;
         start += stretch;
         stretch *= i < 5 ? 1.9 : 3.0;
