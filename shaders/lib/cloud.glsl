@@ -86,7 +86,7 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D cu
     float full = c.water * s.look.w * (c.top - c.base);
     float strand = clamp(0.5f + 0.9f * grain + 0.7f * thread, 0.0f, 1.4f);
     float body = smoothstep(0.0f, 1.6f * s.form.x, margin);
-    return 0.07f * smoothstep(0.0f, 0.15f, margin) + full * body * strand * strand;
+    return 0.07f * smoothstep(0.0f, 0.15f, margin) + full * body * mix(0.5f, strand * strand, s.form.y);
 }
 
 // The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.

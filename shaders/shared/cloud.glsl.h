@@ -26,7 +26,7 @@ struct CloudColumn {
 // What a layer looks like, wherever it stands: its genus' form, and where its noise lies.
 struct LayerShape {
     vec4 form;    // x: margin of the rank at which a top reaches full height; y: share by which thin parts rise from the
-                  // base; z: m, how far billows push the faces in; w: m, how far the detail does
+                  // base, of a sheet how far strands stand out of its veil, 0..1; z: m, how far billows push the faces in; w: m, how far the detail does
     vec4 look;    // x: m, softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction
                   // of one kg/m3
     vec4 body;    // x: m in the plane over which the rank changes by 1; y: by how much the threshold is above the cover; z: rank by
