@@ -76,9 +76,11 @@ vec3 driftedAt(float y) {
     return vec3(0.0);
 }
 
-/// What the pixel's cloud looked like a frame ago; a: its age, below 0 where nothing can be known.
-float oldAge(vec2 centre, float land, float distance, out vec4 light) {
+/// What the pixel's cloud looked like a frame ago and how many pixels it has moved since; gives its age, below 0 where
+/// nothing can be known.
+float oldAge(vec2 centre, float land, float distance, out vec4 light, out float moved) {
     light = vec4(0.0);
+    moved = 1.0;
     if (historyValid < 0.5) return -1.0;
     vec3 here = rayDirection(centre) * distance;
     here -= driftedAt(here.y + frame.cameraWorld.y);
@@ -90,6 +92,7 @@ float oldAge(vec2 centre, float land, float distance, out vec4 light) {
     vec3 facts = texelFetch(oldFacts, texel, 0).rgb;
     float oldLand = facts.y > 0.0 ? 1.0 / facts.y : 1.0e9;
     if (!sameLand(land, oldLand)) return -1.0;
+    moved = length(uv * frame.viewport.xy - centre);
     light = textureLod(oldLight, uv, 0.0);
     light.rgb *= exposureRatio;
     return facts.z;
@@ -105,15 +108,19 @@ void main() {
     vec4 light = around.light;
     if (around.weight <= 0.0) light = nearestRay(pixel, distance);
     vec4 old;
-    float age = oldAge(centre, land, distance, old);
+    float moved;
+    float age = oldAge(centre, land, distance, old, moved);
     bool fresh = marchedPixel(pixel / 4) == pixel;
     if (age >= 0.0) {
-        vec4 slack = 0.15 * (around.high - around.low) + vec4(0.01 * around.light.rgb, 0.01);
+        // What has not moved was seen by its own ray and may differ from its neighbours; what has moved was put there by a
+        // guess of its distance and must fit them.
+        float still = 1.0 - clamp(2.0 * moved, 0.0, 1.0);
+        vec4 slack = mix(0.15, 2.0, still) * (around.high - around.low) + mix(0.01, 0.2, still) * vec4(around.light.rgb, 1.0);
         vec4 kept = around.weight > 0.0 ? clamp(old, around.low - slack, around.high + slack) : old;
         bool clipped = any(greaterThan(abs(kept - old), 0.25 * slack + 1e-4));
         age = clipped ? 0.5 * age : age;
         if (fresh) light = mix(kept, texelFetch(marchedLight, pixel / 4, 0), max(1.0 / (age / 16.0 + 1.0), 0.35));
-        else light = mix(light, kept, clamp(age + 1.0, 0.0, 1.0) * 0.97 + 0.02);
+        else light = kept;
     } else if (fresh) {
         light = texelFetch(marchedLight, pixel / 4, 0);
     }
