@@ -14,9 +14,9 @@
 
 namespace {
 using namespace luftpost;
-constexpr int kColumns = 12000;
+constexpr int kColumns = 8000;
 constexpr std::array kCovers{0.02f, 0.05f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f, 0.95f, 0.98f};
-constexpr std::array kThicknesses{300.0f, 1000.0f, 3000.0f};
+constexpr std::array kThicknesses{80.0f, 150.0f, 300.0f, 500.0f, 800.0f, 1300.0f, 2000.0f, 3500.0f, 6000.0f, 12000.0f};
 
 /// The threshold at which the column over `place` has the optical depth that counts as cover.
 float crossing(glsl::LayerColumn column, glsl::LayerShape const& shape, glm::vec2 const& place, float depth,
@@ -37,12 +37,13 @@ std::vector<float> crossings(weather::Genus genus, float thickness, weather::Noi
     here.layers[0] = {.genus = genus, .cover = 0.5f, .base = 1000.0f, .top = 1000.0f + thickness,
                       .water = static_cast<float>(row.water), .wind = {8.0, 3.0}};
     glsl::LayerShape const shape = weather::cloudShape(here, 1, glm::dvec2{0.0}).layers[0];
+    float const water = weather::CloudColumns{here, 1}.bare().layers[0].water;
     std::vector<float> result;
     unsigned hash = 7;
     auto const unit = [&] { return glsl::unitFromHash(hash = glsl::hashOf(hash)); };
     for (int i = 0; i < kColumns; ++i) {
         float const rank = (static_cast<float>(i) + unit()) / kColumns;  // stratified: the rank is uniform
-        glsl::LayerColumn const column{rank, 0.0f, 1000.0f, 1000.0f + thickness, here.layers[0].water};
+        glsl::LayerColumn const column{rank, 0.0f, 1000.0f, 1000.0f + thickness, water};
         result.push_back(crossing(column, shape, {65536.0f * unit(), 65536.0f * unit()}, weather::coverDepth(genus), noise));
     }
     std::sort(result.begin(), result.end());

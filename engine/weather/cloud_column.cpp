@@ -45,10 +45,21 @@ double wrapped(double v, double period) { return v - period * std::floor(v / per
 
 bool precipitates(Genus genus) { return genus == Genus::Ns || genus == Genus::Cb || genus == Genus::Cu || genus == Genus::Sc || genus == Genus::St; }
 
-float rainedWater(Layer const& layer, Weather const& weather) {
+constexpr double kSeenDepth = 3.0;  // optical, of the core of a layer that somebody reported, however thin it is
+
+/// m2/kg: extinction of one kg/m3.
+float extinctionOfWater(Genus genus) {
+    GenusRow const& row = genusRow(genus);
+    return static_cast<float>(row.extinction / row.water);
+}
+
+/// kg/m3 in the core: what the layer has, thickened by its rain, and no less than it takes to be seen.
+float coreWater(Layer const& layer, Weather const& weather) {
     double const rate = weather.precipitation == Precipitation::None ? 0.0 : weather.precipitationRate;
     double const thickening = precipitates(layer.genus) ? 1.0 + 0.15 * std::min(rate, 8.0) : 1.0;
-    return static_cast<float>(layer.water * thickening);
+    double const thickness = static_cast<double>(std::max(layer.top - layer.base, 20.0f));
+    double const seen = formOf(layer.genus).sheet ? 0.0 : kSeenDepth / (static_cast<double>(extinctionOfWater(layer.genus)) * thickness);
+    return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
 }
 
 glsl::LayerColumn emptyLayer() { return {1.0f, kEmpty, -1.0e5f, -1.0e5f + 1.0f, 0.0f}; }
@@ -105,7 +116,7 @@ CloudColumns::CloudColumns(Weather const& weather, unsigned seed, CloudSettings 
         Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
         float const cover = calibratedCover(layer.genus, layer.cover, layer.top - layer.base);
         bare_.layers[i] = {1.0f, cover - settings.densityThreshold, layer.base + settings.height,
-                           std::max(layer.top, layer.base + 20.0f) + settings.height, rainedWater(layer, weather) * settings.sigma};
+                           std::max(layer.top, layer.base + 20.0f) + settings.height, coreWater(layer, weather) * settings.sigma};
         patterns_.emplace_back(layer, seed);
     }
 }
@@ -135,10 +146,8 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         if (i >= weather.layerCount) continue;
         Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
         Form const& form = formOf(layer.genus);
-        GenusRow const& row = genusRow(layer.genus);
-        double const grams = row.ice ? 917.0 : 1000.0;  // kg/m3, ice or water
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
-        shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, static_cast<float>(1.5 / (grams * row.radius))};
+        shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, extinctionOfWater(layer.genus)};
         float const threshold = std::clamp(calibratedCover(layer.genus, layer.cover, layer.top - layer.base), 0.0f, kClosed);
         shape.body = {form.reach, threshold - layer.cover, form.anvil, 0.0f};
         double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;

@@ -8,7 +8,7 @@
 
 namespace luftpost::weather {
 /// One genus. Heights, thickness, water and droplet sizes are the round figures of the WMO International Cloud Atlas
-/// and of Rogers & Yau, "A Short Course in Cloud Physics"; the last four columns are ours and shape the picture.
+/// and of Rogers & Yau, "A Short Course in Cloud Physics". What shapes the picture is in cloud_column and cloud_pattern.
 struct GenusRow {
     std::string_view name;        // as in reports: "Cu", "fog"
     double base;                  // m above ground, typical
@@ -16,11 +16,7 @@ struct GenusRow {
     double water;                 // kg/m3, condensed water (or ice) in the core
     double radius;                // m, effective radius of droplets or crystals
     bool ice;                     // crystals rather than droplets: halo, no rainbow, no icing
-    double extinction;            // 1/m in the core: 3 Q water / (4 density radius) with Q = 2
-    double patternScale;          // m, the size of one cloud element (patch, cell, roll)
-    double shapeType;             // 0 stratus .. 0.5 stratocumulus .. 1 cumulus: which height gradient
-    double roughness;             // 0 smooth .. 1 cauliflower: share of the high octaves in the pattern
-    double erosion;               // 0..1, how far the detail noise eats into the edges
+    double extinction;            // 1/m in the core: 3 Q water / (4 density radius) with Q = 2, so as water
 };
 
 /// The row of a genus.

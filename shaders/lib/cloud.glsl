@@ -174,20 +174,21 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
 
     // What the noise takes from them.
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
-    float reach = min(s.form.z, 0.3f * thickness);
+    float reach = min(s.form.z, 0.25f * thickness);
     float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
-    float ripple = min(s.form.w, 0.15f * thickness);
+    float ripple = min(s.form.w, 0.1f * thickness);
+    float soft = min(s.look.x, 0.3f * thickness);
     float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
     float shoulder = min(120.0f, 0.2f * thickness);
     float inside = roundedMin(belowTop - carve, aboveBase - baseShare * carve, shoulder);
     result.outside = -inside;
     if (result.outside >= reaches) return result;
     float eat = 0.5f;
-    if (lod < kCoarseLod && inside < ripple + s.look.x) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
+    if (lod < kCoarseLod && inside < ripple + soft) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
     inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
     result.outside = max(-inside, 0.0f);
-    float edge = clamp((inside + reaches) / (s.look.x + blur), 0.0f, 1.0f);
+    float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
     if (edge <= 0.0f) return result;
     float full = c.water * s.look.w;
     inside = max(inside, 0.0f);
@@ -197,7 +198,8 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
     result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);
 
-    float floorSoft = clamp((above - e.low - 12.0f * (1.0f + plane.w)) / 45.0f, 0.0f, 1.0f);
+    float floorHeight = min(45.0f, 0.1f * thickness);
+    float floorSoft = clamp((above - e.low - 0.27f * floorHeight * (1.0f + plane.w)) / floorHeight, 0.0f, 1.0f);
     result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, above / thickness);
     return result;
 }
