@@ -62,7 +62,9 @@ glsl::Atmosphere atmosphere(AirConditions const& conditions) {
     return air;
 }
 
-double globalShareUnder(double cover) { return 1.0 - 0.75 * std::pow(std::clamp(cover, 0.0, 1.0), 3.4); }
+double globalShareUnder(double cover, double closedShare) {
+    return 1.0 - (1.0 - closedShare) * std::pow(std::clamp(cover, 0.0, 1.0), 3.4);
+}
 double directShareUnder(double cover) { return std::pow(1.0 - std::clamp(cover, 0.0, 1.0), 1.5); }
 
 AtmosphereTables::AtmosphereTables(glsl::Atmosphere const& air) : air_{air} {

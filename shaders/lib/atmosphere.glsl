@@ -265,7 +265,7 @@ struct AirLight {
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
                             AirAt here, float h, float muLight, float nu) {
-    float below = 1.0f - smoothstep(0.8f * air.cover.x, air.cover.x + 1.0f, h);
+    float below = 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h);  // inside them one sees cloud, no air
     float direct = mix(1.0f, air.cover.y, below);
     vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu);
     vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);

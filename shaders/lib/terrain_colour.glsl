@@ -54,7 +54,7 @@ struct LandColour {
     vec3 albedo;
     float bump;       // how much the fine relief tilts the normal
     float canopy;     // share of tree crowns
-    float gloss;      // share of a wet or icy sheen
+    float gloss;      // how much of a mirror it is when wet, 0..1
 };
 
 GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprint) {
@@ -98,7 +98,7 @@ GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprin
     colour = mix(colour, vec3(0.780f, 0.805f, 0.850f) * (1.0f + 0.03f * fine), snow);
     result.bump = mix(result.bump, 0.08f, snow);
     result.canopy = result.canopy * (1.0f - snow);
-    result.gloss = snow * 0.1f;
+    result.gloss = 0.25f * (1.0f - wooded) + 0.35f * cover.rock;
     result.albedo = max(colour, vec3(0.015f));
     return result;
 }

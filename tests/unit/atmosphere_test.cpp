@@ -223,5 +223,7 @@ TEST(Light, IsGreyAndDimmerUnderOvercast) {
     EXPECT_GT(clear.sky.z / clear.sky.x, 1.6f);
     EXPECT_LT(overcast.sky.z / overcast.sky.x, 1.1f);
     EXPECT_LT(kilocandela(overcast.ground), 0.5 * kilocandela(clear.ground));
+    auto const storm = sky::skyLight(state, clearDay(), 300.0, {.cover = 1.0, .closedShare = 0.05});
+    EXPECT_NEAR(kilocandela(storm.sky) / kilocandela(overcast.sky), 0.2, 0.01) << "a storm's cloud leaves a fifth of a thin one's";
 }
 }  // namespace
