@@ -7,7 +7,7 @@
 
 namespace luftpost::render {
 namespace {
-constexpr double kShutter = 1.0 / 80.0;  // s
+constexpr double kShutter = 1.0 / 160.0;  // s
 constexpr double kWrap = 4096.0;         // m
 constexpr double kSnowFall = 1.1;        // m/s
 
@@ -42,12 +42,12 @@ void PrecipitationPass::draw(FrameContext const& context) {
     double const speed = std::max(glm::length(velocity), 0.1);
     fallen_ = snapshot.still ? 0.0 : std::fmod(fallen_ + speed * snapshot.frameSeconds, kWrap);
 
-    double const streak = std::clamp(speed * kShutter, snow ? 0.012 : 0.05, 1.5);
-    double const share = std::clamp((snow ? 0.35 : 0.16) * std::pow(rate, 0.6), 0.02, 0.8);
+    double const streak = std::clamp(speed * kShutter, snow ? 0.012 : 0.03, 0.6);
+    double const share = std::clamp((snow ? 0.35 : 0.2) * std::pow(rate, 0.5), 0.02, 0.8);
     program_.use();
     program_.set("axisAndFallen", glm::vec4{glm::dvec4{velocity / speed, fallen_}});
-    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.008f : 0.0013f, static_cast<float>(share),
-                                        snow ? 1.2f : 0.8f});
+    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.008f : 0.0016f, static_cast<float>(share),
+                                        snow ? 1.0f : 0.4f});
     context.targets.depth.bind(0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(context.targets.size, {8, 8});

@@ -2,13 +2,31 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace luftpost::render {
 namespace {
 // Ci, Cc, Cs, Ac, As, Ns, Sc, St, Cu, Cb, fog. Fog is in the visibility already.
 constexpr std::array<double, weather::kGenera> kBeamTaken{0.2, 0.2, 0.35, 0.75, 0.85, 1.0, 0.92, 0.97, 0.9, 1.0, 0.0};
 
+// Share of the clear day's light under a sky closed by them: Kasten and Czeplak 1980, table 3, Cb set below their Ns.
+constexpr std::array<double, weather::kGenera> kLeft{0.61, 0.61, 0.61, 0.27, 0.27, 0.16, 0.25, 0.18, 0.25, 0.12, 0.25};
+constexpr double kDarkRain = 3.5;  // mm/h: the water of such a rain halves what its cloud leaves (about its square root)
+
 double taken(weather::Layer const& layer) { return kBeamTaken.at(static_cast<std::size_t>(layer.genus)); }
+
+/// What the sky's layers leave where they close it: the darkest counts most.
+double closedShare(weather::Weather const& weather) {
+    double sum = 0.0, weights = 1e-9;
+    for (int i = 0; i < weather.layerCount; ++i) {
+        weather::Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
+        double const left = kLeft.at(static_cast<std::size_t>(layer.genus)), dims = static_cast<double>(layer.cover) * (1.0 - left);
+        sum += dims * dims * left;
+        weights += dims * dims;
+    }
+    double const rain = weather.precipitation == weather::Precipitation::None ? 0.0 : weather.precipitationRate;
+    return (sum + 1e-9 * 0.25) / weights / (1.0 + std::sqrt(rain / kDarkRain));
+}
 
 /// Lowest base of layers that dim the sun, else far above the air's haze.
 double lowestBase(weather::Weather const& weather) {
@@ -41,6 +59,11 @@ sky::AirConditions airConditions(Snapshot const& snapshot) {
     if (snapshot.weather.precipitationRate > 0.1 && conditions.cloudBase < 9000.0)  // rain veils all it falls through
         conditions.fogDepth = std::max(conditions.cloudBase - conditions.groundAltitude, conditions.fogDepth);
     conditions.cover = coverAbove(snapshot.weather, snapshot.camera.positionWorld.y);
+    // Where it rains there is cloud overhead, whatever share of the land has some.
+    double const rain = std::clamp(snapshot.weather.precipitationRate / 2.0, 0.0, 1.0);
+    if (snapshot.weather.precipitation != weather::Precipitation::None && conditions.cover > 0.0)
+        conditions.cover = std::lerp(conditions.cover, std::max(conditions.cover, 0.99), rain * std::clamp((conditions.cloudBase + 500.0 - snapshot.camera.positionWorld.y) / 500.0, 0.0, 1.0));
+    conditions.closedShare = closedShare(snapshot.weather);
     return conditions;
 }
 }  // namespace luftpost::render

@@ -54,6 +54,7 @@ bool SkyPass::viewChanged(View const& now) const {
            glm::distance(now.state.moonDirectionWorld, then.state.moonDirectionWorld) > 3.0 * kSunSteps ||
            differs(now.altitude, then.altitude, 0.005, 1.0) ||
            differs(now.conditions.cover, then.conditions.cover, 0.0, 0.01) ||
+           differs(now.conditions.closedShare, then.conditions.closedShare, 0.02, 0.0) ||
            differs(now.conditions.cloudBase, then.conditions.cloudBase, 0.01, 5.0);
 }
 
@@ -61,8 +62,9 @@ void SkyPass::makeLight(View const& view) {
     light_ = sky::skyLight(view.state, *tables_, view.altitude, view.conditions);
     block_.air = sky::atmosphere(view.conditions);
     block_.air.ground = glm::vec4{light_.groundRadiance, block_.air.ground.w};
-    // Over all directions: half of them see the sky's radiance, half the land's.
-    glm::vec3 const under = 0.5f * (light_.sky / static_cast<float>(core::kPi) + light_.groundRadiance);
+    // What air under clouds sends along the level: haze scatters forward, so that it is the light of the sky near the
+    // horizon, under a closed sky 3/7 of the mean (CIE's overcast), and of the land.
+    glm::vec3 const under = 0.5f * (0.65f * light_.sky / static_cast<float>(core::kPi) + light_.groundRadiance);
     block_.air.under = glm::vec4{under, static_cast<float>(view.conditions.cover)};
     block_.lights.sun = withRadius(view.state.sunDirectionWorld, view.state.sunAngularRadius);
     block_.lights.sunLight = glm::vec4{1.0f};

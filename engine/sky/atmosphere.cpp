@@ -9,16 +9,18 @@ namespace luftpost::sky {
 namespace {
 constexpr int kTransmittanceWidth = 64, kTransmittanceHeight = 32;
 constexpr int kMultipleWidth = 32, kMultipleHeight = 12;
-constexpr int kMultipleDirections = 4;   // squared
+constexpr int kMultipleDirections = 6;   // squared
 constexpr int kIrradianceRings = 8, kIrradianceSectors = 8;
 constexpr int kSteps = 24;
 
-// 1/m at sea level. The ratios are those of Rayleigh-scattered sunlight in Rec. 709 (chromaticity 0.24, 0.24) to
-// sunlight itself: Rec. 709's negative lobes make them steeper than the wavelengths of its primaries would.
-constexpr glm::vec3 kRayleigh{6.5e-6f, 12.3e-6f, 25.5e-6f};
-constexpr glm::vec3 kOzone{1.8e-6f, 1.9e-6f, 0.2e-6f};  // 1/m at 25 km, by the same reckoning
-constexpr double kCleanestHaze = 3.0e-6;                     // 1/m: no air near the ground is cleaner
+// 1/m at sea level, and at 25 km: the spectral scattering (Teillet 1990) and absorption (Chappuis' band) of sunlight, weighed
+// with the eye's curves and brought to Rec. 709, over sunlight itself. Its negative lobes make both steeper than the
+// wavelengths of its primaries would; blue loses nothing to ozone.
+constexpr glm::vec3 kRayleigh{6.35e-6f, 12.35e-6f, 29.3e-6f};
+constexpr glm::vec3 kOzone{2.6e-6f, 1.65e-6f, 0.0f};
+constexpr double kHighHaze = 2.25e-6;                        // 1/m: what airAt adds at sea level whatever the weather
 constexpr double kThickestHaze = 3.0 / 12000.0;              // 1/m
+constexpr float kHazeAlbedo = 0.92f, kFogAlbedo = 0.998f;   // soot absorbs, water does not
 constexpr float kGreenWavelength = 545.0f;                   // nm
 
 glm::vec2 sizeOf(int width, int height) { return {static_cast<float>(width), static_cast<float>(height)}; }
@@ -44,23 +46,25 @@ std::vector<glm::vec4> table(int width, int height, Texel texel) {
 }  // namespace
 
 glsl::Atmosphere atmosphere(AirConditions const& conditions) {
-    double const wanted = 3.0 / std::max(conditions.visibility, 20.0) - static_cast<double>(kRayleigh.y);
-    double const haze = std::clamp(wanted, kCleanestHaze, kThickestHaze);
+    double const wanted = 3.0 / std::max(conditions.visibility, 20.0) - static_cast<double>(kRayleigh.y) - kHighHaze;
+    double const haze = std::clamp(wanted, 0.0, kThickestHaze);
     double const fog = std::max(wanted - haze, 0.0);
     double const direct = directShareUnder(conditions.cover);
     auto const f = [](double value) { return static_cast<float>(value); };
     glsl::Atmosphere air;
     air.rayleigh = glm::vec4{kRayleigh, 8000.0f};
     air.haze = glm::vec4{hazeColour(f(haze)), 1800.0f};
-    air.ozone = glm::vec4{kOzone, 0.8f};
-    air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), 0.92f};
+    air.ozone = glm::vec4{kOzone, kFogAlbedo};
+    air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), kHazeAlbedo};
     air.cover = glm::vec4{f(conditions.cloudBase), f(direct), 0.0f, 0.0f};
     air.under = glm::vec4{0.0f, 0.0f, 0.0f, 0.0f};
     air.ground = glm::vec4{0.0f, 0.0f, 0.0f, f(conditions.groundAlbedo)};
     return air;
 }
 
-double globalShareUnder(double cover) { return 1.0 - 0.75 * std::pow(std::clamp(cover, 0.0, 1.0), 3.4); }
+double globalShareUnder(double cover, double closedShare) {
+    return 1.0 - (1.0 - closedShare) * std::pow(std::clamp(cover, 0.0, 1.0), 3.4);
+}
 double directShareUnder(double cover) { return std::pow(1.0 - std::clamp(cover, 0.0, 1.0), 1.5); }
 
 AtmosphereTables::AtmosphereTables(glsl::Atmosphere const& air) : air_{air} {

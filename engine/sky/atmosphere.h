@@ -16,6 +16,7 @@ struct AirConditions {
     double fogDepth = 220.0;         // m: scale height of what is thicker than haze
     double cloudBase = 1.0e5;        // m above sea level: of the clouds that `cover` counts
     double cover = 0.0;              // 0..1: share of the sky under cloud, each layer weighed by how dense it is
+    double closedShare = 0.25;       // share of the clear day's light that comes down where these clouds close the sky
     double groundAlbedo = 0.18;      // of the land around
     bool operator==(AirConditions const&) const = default;
 };
@@ -25,8 +26,9 @@ struct AirConditions {
 /// Angstrom exponent of 1.2; what is thicker than a visibility of 12 km lies in a shallow layer of fog.
 glsl::Atmosphere atmosphere(AirConditions const& conditions);
 
-/// Share of the clear day's global irradiance under `cover` (Kasten and Czeplak 1980, Solar Energy 24, 177).
-double globalShareUnder(double cover);
+/// Share of the clear day's global irradiance under `cover` of clouds that leave `closedShare` where they close the sky
+/// (Kasten and Czeplak 1980, Solar Energy 24, 177: a quarter in the mean of all).
+double globalShareUnder(double cover, double closedShare = 0.25);
 /// Share of the direct beam that comes through `cover` in the mean over the land: less than the gaps from above, since
 /// clouds have sides.
 double directShareUnder(double cover);

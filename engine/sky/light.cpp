@@ -16,12 +16,16 @@ glm::vec3 onThePlane(glm::vec3 const& facing, glm::dvec3 const& direction) {
     return facing * static_cast<float>(std::max(direction.y, 0.0));
 }
 
-/// Diffuse irradiance under clouds: what Kasten and Czeplak leave of the global one less the direct beam's share. Its
-/// colour is that of the clear day's whole light, which clouds mix and do not tint.
-glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, double cover) {
-    glm::vec3 const global = (sky + direct) * static_cast<float>(globalShareUnder(cover));
+/// Diffuse irradiance under clouds: what Kasten and Czeplak leave of the global one less the direct beam's share. Clouds do
+/// not tint, but their tops see a light that half the air has not coloured yet: an overcast day is a little bluer than
+/// the sun (6500 K; CIE D65).
+glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, AirConditions const& conditions) {
+    double const cover = conditions.cover, share = globalShareUnder(cover, conditions.closedShare);
+    glm::vec3 const clear = sky + direct;
+    glm::vec3 const grey = luminance(clear) * glm::sqrt(clear / std::max(luminance(clear), 1e-20f)) * glm::vec3{0.97f, 1.0f, 1.06f};
+    glm::vec3 const global = glm::mix(clear, grey, static_cast<float>(std::clamp(cover, 0.0, 1.0))) * static_cast<float>(share);
     glm::vec3 const left = global - direct * static_cast<float>(directShareUnder(cover));
-    return glm::max(left, sky * static_cast<float>(globalShareUnder(cover) * (1.0 - cover)));
+    return glm::max(left, sky * static_cast<float>(share * (1.0 - cover)));
 }
 
 glm::vec3 groundColour(double albedo) { return glm::vec3{1.0f, 1.03f, 0.72f} * static_cast<float>(albedo); }
@@ -53,7 +57,7 @@ SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double 
                      light.moonAboveAir * tables.skyIrradiance(altitude, moonUp) +
                      airglowRadiance() * static_cast<float>(core::kPi);
     glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
-    light.sky = underCover(light.skyClear, direct, conditions.cover);
+    light.sky = underCover(light.skyClear, direct, conditions);
     glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
     light.groundRadiance = total * groundColour(conditions.groundAlbedo) / static_cast<float>(core::kPi);
     light.ground = total * groundColour(conditions.groundAlbedo);

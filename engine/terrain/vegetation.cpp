@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/lib/terrain_cover.glsl"
+#include "shaders/lib/terrain_colour.glsl"
 
 namespace luftpost::terrain {
 namespace {
@@ -54,12 +54,20 @@ std::vector<Tree> treesOf(Land const& land, TreeTileKey key) {
             glsl::uint const chance = glsl::landHash(h + 1u);
             // Woods stand close; in the open a tree here and there, and hardly one in a field.
             float const open = point.clearing < 300.0f ? 0.0f : 0.012f * (1.0f - 0.75f * cover.fields) * (1.0f - glsl::landRamp(1500.0f, glsl::kTreeLine, point.altitude));
-            float const share = cover.forest > 0.5f ? 0.55f + 0.4f * cover.forest : open;
+            float share = cover.forest > 0.5f ? 0.55f + 0.4f * cover.forest : open;
+            bool hedge = false;
+            if (cover.fields > 0.5f && cover.forest < 0.5f) {  // hedges: bushes, and trees among them
+                glsl::FieldPlace const field = glsl::fieldPlace(point, cover);
+                if (field.road < 6.0f) continue;
+                hedge = field.hedged && field.border < 4.5f;
+                if (hedge) share = 0.8f;
+            }
             if (glsl::lowShare(chance) > share * (1.0f - cover.rock) * (1.0f - cover.snow) || point.aboveWater < 1.0f) continue;
             float const conifers = glsl::landRamp(500.0f, 1200.0f, point.altitude + 300.0f * cover.middling);
-            float const kind = glsl::highShare(chance) < 0.15f + 0.8f * conifers ? 1.0f : 0.0f;
+            float const kind = !hedge && glsl::highShare(chance) < 0.15f + 0.8f * conifers ? 1.0f : 0.0f;
             float const vigour = 1.0f - 0.55f * glsl::landRamp(1200.0f, 1900.0f, point.altitude);
-            float const height = (9.0f + 13.0f * glsl::lowShare(glsl::landHash(chance)) + 4.0f * kind) * vigour;
+            float const size = glsl::lowShare(glsl::landHash(chance));
+            float const height = (hedge ? 3.2f + 12.0f * size * size * size : 9.0f + 13.0f * size + 4.0f * kind) * vigour;
             trees.push_back({offset.x, offset.y, static_cast<float>(altitude), height, kind, glsl::highShare(glsl::landHash(chance))});
         }
     return trees;

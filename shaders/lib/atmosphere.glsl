@@ -13,7 +13,8 @@
 // nearly a geometric series, so that psi = second / (1 - share): Hillaire, "A Scalable and Production Ready Sky and
 // Atmosphere Rendering Technique", EGSR 2020. Constituents:
 //   - molecules (Rayleigh), falling with a scale height of 8 km;
-//   - haze, falling with 1.2 km from the height of the place, as thick as the reported visibility says;
+//   - haze, falling with 1.8 km from the height of the place, as thick as the reported visibility says; and a little
+//     that is always there and thins with the air (optical depth 0.018: OPAC's free troposphere and stratosphere);
 //   - fog, a grey layer a few hundred metres deep, for what visibility is worse than haze can be;
 //   - ozone, which only absorbs, between 10 and 40 km: without it the zenith at dusk is yellow, not blue.
 // The spectrum is carried as three numbers at the effective wavelengths of Rec. 709.
@@ -82,23 +83,32 @@ struct AirAt {
 
 GLSL_FUNCTION AirAt airAt(Atmosphere air, float h) {
     float above = max(h - air.fog.z, 0.0f);
-    vec3 rayleigh = vec3(air.rayleigh) * exp(-max(h, 0.0f) / air.rayleigh.w);
-    vec3 haze = vec3(air.haze) * exp(-above / air.haze.w) + vec3(air.fog.x * exp(-above / air.fog.y));
+    float thin = exp(-max(h, 0.0f) / air.rayleigh.w);
+    vec3 haze = vec3(air.haze) * exp(-above / air.haze.w) + vec3(1.95e-6f, 2.25e-6f, 2.72e-6f) * thin;
+    vec3 rayleigh = vec3(air.rayleigh) * thin;
+    vec3 fog = vec3(air.fog.x * exp(-above / air.fog.y));
     vec3 ozone = vec3(air.ozone) * max(0.0f, 1.0f - abs(h - 25000.0f) / 15000.0f);
     AirAt result;
     result.rayleigh = rayleigh;
-    result.haze = haze * air.fog.w;
-    result.extinction = rayleigh + haze + ozone;
+    result.haze = haze * air.fog.w + fog * air.ozone.w;
+    result.extinction = rayleigh + haze + fog + ozone;
     return result;
 }
 
 /// Rayleigh's phase function, 1/sr: integrates to 1 over the sphere.
 GLSL_FUNCTION float rayleighPhase(float nu) { return 3.0f / (16.0f * kAirPi) * (1.0f + nu * nu); }
 
-/// Cornette and Shanks' phase function of haze, 1/sr: Henyey and Greenstein's with Rayleigh's limit at g = 0.
-GLSL_FUNCTION float hazePhase(float nu, float g) {
-    float k = 3.0f / (8.0f * kAirPi) * (1.0f - g * g) / (2.0f + g * g);
-    return k * (1.0f + nu * nu) / pow(max(1.0f + g * g - 2.0f * g * nu, 1e-4f), 1.5f);
+/// Henyey and Greenstein's phase function, 1/sr.
+GLSL_FUNCTION float lobePhase(float nu, float g) {
+    float k = max(1.0f + g * g - 2.0f * g * nu, 1e-5f);
+    return (1.0f - g * g) / (4.0f * kAirPi * k * sqrt(k));
+}
+
+/// Phase function of haze, 1/sr: three lobes fitted, within 30 % from 2 to 180 degrees, to Mie's theory for the
+/// average continental aerosol of Hess, Koepke and Schult 1998 (OPAC) at 70 % humidity and 545 nm. One lobe alone cannot
+/// do it: what makes the aureole leaves a third of the light at 60 degrees, and the zenith too dark by as much.
+GLSL_FUNCTION float hazePhase(float nu) {
+    return 0.955f * lobePhase(nu, 0.67f) + 0.025f * lobePhase(nu, 0.97f) + 0.02f * lobePhase(nu, -0.4f);
 }
 
 // ---------------------------------------------------------------------------------- table one: the transmittance
@@ -212,26 +222,28 @@ GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D trans
         float muHere = zenithCosineAlong(h, muLight, nu, toGround, 0.0f);
         vec3 onGround = lightThroughAir(transmittance, size, 0.0f, muHere, 0.00465f) * max(muHere, 0.0f);
         sum.light += through * onGround * air.ground.w / kAirPi;
+        sum.share += through * air.ground.w;  // land under an even psi sends back this share of it
     }
     return sum;
 }
 
-/// psi at height h under a light of irradiance 1 whose zenith angle has the cosine muLight: one texel of table two,
-/// the mean over n x n directions spread evenly over the sphere.
+/// psi at height h under a light of irradiance 1 whose zenith angle has the cosine muLight: one texel of table two, the
+/// mean over n x n directions. They stand closer near the horizontal, where in deep twilight all light comes from.
 GLSL_FUNCTION vec3 multipleExact(Atmosphere air, sampler2D transmittance, vec2 size, float h, float muLight, int n) {
     vec3 light = vec3(0.0f);
     vec3 share = vec3(0.0f);
     float sinLight = sqrt(max(1.0f - muLight * muLight, 0.0f));
     for (int i = 0; i < n * n; ++i) {
-        float mu = 1.0f - 2.0f * (float(i / n) + 0.5f) / float(n);
+        float x = 2.0f * (float(i / n) + 0.5f) / float(n) - 1.0f;
+        float mu = x * abs(x);
+        float weight = 2.0f * abs(x) / float(n * n);
         float azimuth = kAirPi * (float(i % n) + 0.5f) / float(n);
         float nu = mu * muLight + sqrt(1.0f - mu * mu) * sinLight * cos(azimuth);
         TwiceScattered one = twiceScatteredAlong(air, transmittance, size, h, mu, muLight, nu);
-        light += one.light;
-        share += one.share;
+        light += one.light * weight;
+        share += one.share * weight;
     }
-    float weight = 1.0f / float(n * n);
-    return light * weight / max(vec3(1.0f) - share * weight, vec3(0.05f));
+    return light / max(vec3(1.0f) - share, vec3(0.05f));
 }
 
 GLSL_FUNCTION vec3 multipleScattering(sampler2D table, vec2 size, float h, float muLight) {
@@ -253,9 +265,9 @@ struct AirLight {
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
                             AirAt here, float h, float muLight, float nu) {
-    float below = 1.0f - smoothstep(0.8f * air.cover.x, air.cover.x + 1.0f, h);
+    float below = 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h);  // inside them one sees cloud, no air
     float direct = mix(1.0f, air.cover.y, below);
-    vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu, air.ozone.w);
+    vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu);
     vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
     vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
     vec3 astray = mix(psi, vec3(air.under), vec3(below * air.under.w));

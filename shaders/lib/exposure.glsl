@@ -6,7 +6,7 @@ GLSL_BEGIN
 
 GLSL_CONST float kSunLux = 128000.0f;     // 1 of our irradiance
 GLSL_CONST float kDarkestSeen = 0.00025f;  // cd/m2, a moonless sky: what is darker is not shown brighter
-GLSL_CONST float kDarkestKey = 0.06f;
+GLSL_CONST float kDarkestKey = 0.10f;
 
 /// Factor from radiance to what the tone curve takes, for a scene of mean luminance `mean` (1/sr, the sun's irradiance
 /// above the air being 1). The key falls with the luminance as the eye's does (Krawczyk, Myszkowski and Seidel 2005):
@@ -14,7 +14,7 @@ GLSL_CONST float kDarkestKey = 0.06f;
 GLSL_FUNCTION float exposureFor(float mean) {
     float candela = max(mean * kSunLux, 1e-7f);
     float key = max(1.03f - 2.0f / (2.0f + log(candela + 1.0f) / 2.30258509f), kDarkestKey);
-    return 0.48f * key * kSunLux / max(candela, kDarkestSeen);
+    return 0.40f * key * kSunLux / max(candela, kDarkestSeen);
 }
 
 /// The histogram of the picture: 1/4 stop a bin, bin 0 for all that is darker.

@@ -3,7 +3,8 @@
 // Drops fall along one direction, that of their velocity relative to the camera. Cylinders about that axis through the
 // camera are unrolled into sheets of cells, (angle, way along the axis); each cell holds one drop or none, and the
 // sheets slide along the axis as far as the drops have fallen. So streaks are parallel in space, run together in the two
-// points where the camera flies to and comes from, and are as long as a drop falls while the shutter is open.
+// points where the camera flies to and comes from, and are as long as a drop falls while the shutter is open. A drop covers
+// each point of its streak for a part of that time only: streaks are faint, and rain is many of them.
 #ifndef LUFTPOST_PRECIPITATION_GLSL
 #define LUFTPOST_PRECIPITATION_GLSL
 #include "shaders/shared/language.glsl.h"
@@ -22,7 +23,7 @@ GLSL_FUNCTION vec3 acrossAxis(vec3 axis) {
     return normalize(cross(axis, other));
 }
 
-/// Share 0..1 of a pixel that drops of one sheet cover. `direction`: the pixel's ray; `axis`: unit, where the drops go
+/// Share 0..1 of a pixel that drops of one sheet cover, faint toward the streaks' ends. `direction`: the pixel's ray; `axis`: unit, where the drops go
 /// to; `radius`: of the sheet, m; `fallen`: m along the axis; `streak`: length, m; `size`: width, m; `share`: of cells
 /// that hold a drop; `pixel`: angle of a pixel, rad; `reach`: m to what stands behind.
 GLSL_FUNCTION float dropCover(vec3 direction, vec3 axis, float radius, float fallen, float streak, float size,
@@ -34,9 +35,9 @@ GLSL_FUNCTION float dropCover(vec3 direction, vec3 axis, float radius, float fal
     vec3 right = acrossAxis(axis);
     float angle = atan(dot(direction, cross(axis, right)), dot(direction, right));
     float width = max(size, 0.7f * pixel * distance);
-    float columns = max(floor(6.2831853f * radius / max(3.0f * width, 0.05f)), 8.0f);
+    float columns = max(floor(6.2831853f * radius / max(2.5f * width, 0.03f)), 8.0f);
     float column = (angle / 6.2831853f + 0.5f) * columns;
-    float cellLength = max(4.0f * streak, 0.4f);
+    float cellLength = max(3.0f * streak, 0.25f);
     float whole = floor(column);
     uint key = uint(whole) * 9781u + uint(radius * 64.0f) * 6271u;
     float place = radius * along / max(across, 0.01f) - fallen + cellLength * dropUnit(key);
@@ -47,8 +48,8 @@ GLSL_FUNCTION float dropCover(vec3 direction, vec3 axis, float radius, float fal
     float aside = abs(column - whole - middle) * 6.2831853f * radius / columns;
     float ahead = abs(place - (row + 0.5f) * cellLength);
     float inside = (1.0f - smoothstep(0.3f * width, 0.7f * width, aside)) *
-                   (1.0f - smoothstep(0.35f * streak, 0.5f * streak + 0.3f * width, ahead));
-    return inside * min(size / width, 1.0f);
+                   (1.0f - smoothstep(0.0f, 0.5f * streak + 0.3f * width, ahead));
+    return inside * min(size / width, 1.0f) * (0.3f + 0.7f * dropUnit(cell + 3u));
 }
 
 GLSL_END

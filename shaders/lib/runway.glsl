@@ -32,6 +32,7 @@ LandColour runwayColour(vec2 home, LandColour around, float footprint) {
     vec3 tar = vec3(0.105, 0.105, 0.110) * (1.0 - 0.45 * wear);
     face.albedo = mix(face.albedo, tar, asphalt);
     face.bump = mix(face.bump, 0.02, asphalt);
+    face.gloss = mix(face.gloss, 1.0, asphalt);
     face.canopy *= 1.0 - mown;
     // Paint: centre line 30 m on, 20 m off; edges; eight threshold stripes; touchdown bars.
     float end = size.x - abs(at.x);

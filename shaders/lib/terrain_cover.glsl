@@ -22,6 +22,7 @@ struct LandCover {
     float fields, forest, rock, sand, snow;
     float moisture;     // 0 dry .. 1 lush
     float middling;     // noise of 2^7 m, -1..1, for whoever shades
+    float patchy;       // noise of 2^9 m
     float bend;         // slow noise, -1..1, that lets straight things follow the land
 };
 
@@ -41,6 +42,7 @@ GLSL_FUNCTION LandCover landCover(LandPoint p, float footprint) {
     float steep = 1.0f - p.flatness;
     LandCover cover;
     cover.middling = middling;
+    cover.patchy = patchy;
     cover.bend = wide;
     cover.moisture = clamp(0.55f + 0.45f * broad + 0.15f * wide - 0.00015f * p.aboveWater, 0.0f, 1.0f);
     // Woods: on slopes too steep to plough, in patches on the flat, up to the tree line.

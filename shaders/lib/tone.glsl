@@ -4,11 +4,11 @@
 #include "shaders/shared/language.glsl.h"
 GLSL_BEGIN
 
-GLSL_CONST float kToneSlope = 1.35f;  // contrast about the middle, per stop
+GLSL_CONST float kToneSlope = 1.5f;   // contrast about the middle, per stop
 GLSL_CONST float kToneMiddle = 0.18f; // exposed radiance that keeps its value
 
 /// One channel: Naka and Rushton's response x^n / (x^n + k^n), 0.18 staying 0.18. It never clips: a cloud sixteen
-/// times as bright as its shadow still shows form. White (1) gives 0.69, 4 gives 0.94, 16 gives 0.99.
+/// times as bright as its shadow still shows form. White (1) gives 0.74, 4 gives 0.96, 16 gives 0.995.
 GLSL_FUNCTION float toneChannel(float x) {
     float powered = pow(max(x, 0.0f), kToneSlope);
     float middle = pow(kToneMiddle, kToneSlope) * (1.0f - kToneMiddle) / kToneMiddle;
@@ -20,10 +20,21 @@ GLSL_FUNCTION float toneChannel(float x) {
 /// more than that is taken back, as cameras do: a clear sky is bluer in every photograph than its luminances say.
 GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
     float mean = (exposed.x + exposed.y + exposed.z) / 3.0f;
-    vec3 lent = mix(exposed, vec3(mean), vec3(0.10f));
+    vec3 lent = mix(exposed, vec3(mean), vec3(0.07f));
     vec3 curved = vec3(toneChannel(lent.x), toneChannel(lent.y), toneChannel(lent.z));
     float curvedMean = (curved.x + curved.y + curved.z) / 3.0f;
-    return clamp(mix(curved, vec3(curvedMean), vec3(-0.25f)), vec3(0.0f), vec3(1.0f));
+    return clamp(mix(curved, vec3(curvedMean), vec3(-0.3f)), vec3(0.0f), vec3(1.0f));
+}
+
+/// What the eye makes of a radiance in the dark: `candela`: cd/m2 of 1 in `light`. Below 3 cd/m2 rods take over from cones,
+/// below 0.003 they see alone: no colour, most for blue-green, and the brain calls it blue (Purkinje; Jensen et al. 2000,
+/// "Night rendering"). So moonlight is bluish though the moon is redder than the sun.
+GLSL_FUNCTION vec3 seenInTheDark(vec3 light, float candela) {
+    float luminance = 0.2126f * light.x + 0.7152f * light.y + 0.0722f * light.z;
+    float stage = log(max(luminance * candela, 1e-8f)) / 2.30258509f;
+    float rods = 0.85f * (1.0f - smoothstep(-2.5f, 0.5f, stage));
+    float rodLight = 0.06f * light.x + 0.60f * light.y + 0.34f * light.z;
+    return mix(light, rodLight * vec3(0.72f, 0.95f, 1.35f), vec3(rods));
 }
 
 /// Linear -> sRGB (IEC 61966-2-1).

@@ -4,6 +4,7 @@
 #include "shaders/lib/terrain_light.glsl"
 #include "shaders/lib/terrain_colour.glsl"
 #include "shaders/lib/runway.glsl"
+#include "shaders/lib/scene_light.glsl"
 
 in vec3 world;
 in vec2 place;
@@ -22,6 +23,13 @@ vec3 roughened(vec3 normal, LandColour face, float footprint) {
     vec2 tilt = vec2(detailNoise(chunkOrigin.xy, place, 2, 41u, footprint), detailNoise(chunkOrigin.xy, place, 2, 42u, footprint)) +
                 0.6 * vec2(detailNoise(chunkOrigin.xy, place, 4, 43u, footprint), detailNoise(chunkOrigin.xy, place, 4, 44u, footprint));
     return normalize(normal + face.bump * vec3(tilt.x, 0.0, tilt.y));
+}
+
+/// What a film of water on rough ground mirrors of the sky.
+vec3 wetSheen(vec3 normal, vec3 eye, float share) {
+    const float roughness = 0.45;
+    vec2 even = evenReflectance(clamp(dot(normal, eye), 0.0, 1.0), roughness);
+    return share * (0.02 * even.x + even.y) * surroundingRadiance(reflect(-eye, normal), roughness);
 }
 
 void main() {
@@ -47,10 +55,12 @@ void main() {
     if (p.clearing < 200.0) face = runwayColour(home, face, footprint);
 
     float wet = frame.weather.w * (1.0 - cover.snow);
-    vec3 albedo = face.albedo * (1.0 - 0.35 * wet);
+    vec3 albedo = face.albedo * (1.0 - 0.4 * wet);
     vec3 tilted = roughened(normal, face, footprint);
     tilted = normalize(tilted + vec3(world.x, 0.0, world.z) / kCurvatureRadius);
     float open = 1.0 - 0.35 * face.canopy;
-    colour = vec4(mattLight(albedo, tilted, ground.x, sunShare(offset, ground.x), open) * frame.exposure.x, 1.0);
+    vec3 light = mattLight(albedo, tilted, ground.x, sunShare(offset, ground.x), open);
+    if (wet > 0.0) light += wetSheen(tilted, -world / distance, wet * face.gloss);
+    colour = vec4(light * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);
 }

@@ -2,6 +2,7 @@
 // HDR picture and bloom -> screen-encoded colour, not yet dithered. Luma in alpha, for the edges.
 #include "shared/exposure_block.glsl.h"
 #include "shared/frame.glsl.h"
+#include "lib/exposure.glsl"
 #include "lib/tone.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -13,6 +14,7 @@ layout(location = 0) out vec4 colour;
 
 void main() {
     vec3 light = mix(textureLod(picture, uv, 0.0).rgb, textureLod(bloom, uv, 0.0).rgb, bloomShare);
+    light = seenInTheDark(light, kSunLux / frame.exposure.x);
     vec3 encoded = encodedForScreen(toneMapped(light * (measured.shown / frame.exposure.x)));
     colour = vec4(encoded, dot(encoded, vec3(0.299, 0.587, 0.114)));
 }

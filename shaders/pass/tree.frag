@@ -37,7 +37,7 @@ void main() {
     vec3 albedo = mix(mix(vec3(0.105, 0.165, 0.045), vec3(0.150, 0.180, 0.060), about.y), mix(vec3(0.055, 0.100, 0.045), vec3(0.075, 0.120, 0.055), about.y), conifer);
     albedo *= 0.85 + 0.35 * leaves + 0.25 * finer;
     if (!crown) albedo = vec3(0.09, 0.07, 0.05);
-    float hollow = mix(1.0, clamp(0.55 + 0.45 * across.y, 0.25, 1.0), about.w);  // little light comes down to the lower leaves
+    float hollow = mix(1.0, clamp(0.72 + 0.4 * across.y, 0.4, 1.0), about.w);  // little light comes down to the lower leaves
     float share = sunShare(offset, about.z) * hollow;
     colour = vec4(mattLight(albedo, normal, about.z, share, hollow) * frame.exposure.x, 1.0);
     motion = motionOf(clipNow, clipBefore);

@@ -24,7 +24,7 @@ void main() {
     offset = tileCorner + tree.xy;
     float far = length(vec3(offset, tree.z - land.levels.w));
     float height = tree.w * clamp((treeReach - far) / (0.25 * treeReach), 0.0, 1.0);
-    float wide = height * mix(0.30, 0.17, kind.x);
+    float wide = height * mix(0.38, 0.20, kind.x);
     float tall = 0.5 * height;
     vec3 foot = curvedFromFlat(vec3(offset.x, tree.z - land.levels.w, -offset.y), land.levels.w);
     middle = foot + vec3(0.0, tall * 1.04, 0.0);

@@ -9,8 +9,8 @@ GLSL_BEGIN
 struct Atmosphere {
     vec4 rayleigh;  // rgb: scattering of air molecules at sea level; w: scale height
     vec4 haze;      // rgb: extinction of haze at its base; w: scale height
-    vec4 ozone;     // rgb: absorption at 25 km, falling to 0 at 10 and 40 km; w: asymmetry g of haze and fog
-    vec4 fog;       // x: extinction at the base; y: scale height; z: altitude of the base of haze and fog; w: albedo of both
+    vec4 ozone;     // rgb: absorption at 25 km, falling to 0 at 10 and 40 km; w: albedo of fog
+    vec4 fog;       // x: extinction at the base; y: scale height; z: altitude of the base of haze and fog; w: albedo of haze
     vec4 cover;     // clouds above: x: altitude below which they dim; y: share of direct light that they leave
     vec4 under;     // rgb: mean radiance over all directions of the light under them, 1/sr; w: their share of the sky
     vec4 ground;    // rgb: mean radiance of the land that the sky meets below the horizon; w: albedo of the land

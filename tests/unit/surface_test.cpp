@@ -91,6 +91,14 @@ TEST(ToneMap, KeepsGreysGreyAndTheOrderOfChannels) {
     }
 }
 
+TEST(ToneMap, ShowsMoonlightBluishDimAndDaylightAsItIs) {
+    glm::vec3 const warm{1.08f, 1.0f, 0.86f};  // the moon's light on white
+    glm::vec3 const day = glsl::seenInTheDark(warm, 5000.0f), night = glsl::seenInTheDark(warm, 0.01f);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(day[i], warm[i], 1e-6f);
+    EXPECT_GT(night.z, 1.2f * night.x);
+    EXPECT_NEAR((night.x + night.y + night.z) / 3.0f, 1.0f, 0.1f);  // colour goes, light stays
+}
+
 TEST(ToneMap, EncodesAsSrgb) {
     EXPECT_NEAR(glsl::encodedChannel(0.0f), 0.0f, 1e-6f);
     EXPECT_NEAR(glsl::encodedChannel(1.0f), 1.0f, 1e-5f);
