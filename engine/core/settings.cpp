@@ -18,20 +18,23 @@ namespace luftpost::core {
 namespace {
 namespace fs = std::filesystem;
 
-/// Edit distance (Levenshtein).
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
+/// How far the text is from the known word: four times the edit distance (Levenshtein) to the start of the word that
+/// fits it best, and one for each letter that the word goes on after it, so that "densty" is near "densityThreshold".
+std::size_t strangeness(std::string_view known, std::string_view text) {
+    std::vector<std::size_t> row(known.size() + 1);  // to each start of the known word
+    for (std::size_t j = 0; j <= known.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= text.size(); ++i) {
         std::size_t diagonal = row[0];
         row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            std::size_t const substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+        for (std::size_t j = 1; j <= known.size(); ++j) {
+            std::size_t const substituted = diagonal + (text[i - 1] == known[j - 1] ? 0 : 1);
             diagonal = row[j];
             row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
         }
     }
-    return row[b.size()];
+    std::size_t least = 4 * row.back();
+    for (std::size_t j = 0; j < known.size(); ++j) least = std::min(least, 4 * row[j] + known.size() - j);
+    return least;
 }
 
 /// What is wrong with the value, or nothing.
@@ -149,7 +152,7 @@ std::string_view nearestKey(SettingList const& list, std::string_view key) {
         auto const dot = setting.key.find('.');
         std::string_view const tail =
             dot == std::string_view::npos ? setting.key : setting.key.substr(dot + 1);
-        return std::min(distance(setting.key, key), distance(tail, key) + 1);
+        return std::min(strangeness(setting.key, key), strangeness(tail, key) + 4);
     };
     return std::min_element(list.begin(), list.end(),
                             [&](Setting const& a, Setting const& b) { return score(a) < score(b); })
@@ -159,7 +162,7 @@ std::string_view nearestKey(SettingList const& list, std::string_view key) {
 std::string nearestText(std::span<std::string const> known, std::string_view text) {
     CHECK(!known.empty(), "nothing to look in for {}", text);
     return *std::min_element(known.begin(), known.end(), [&](std::string const& a, std::string const& b) {
-        return distance(a, text) < distance(b, text);
+        return strangeness(a, text) < strangeness(b, text);
     });
 }
 

@@ -90,8 +90,13 @@ void Game::takeEvents() {
 
 /// The career is written with every parcel: a killed game loses nothing.
 void Game::count(FlightEventAt const& event) {
-    if (countParcel(career_, session_->simulation(), event) && !run_.save.empty())
+    if (!countParcel(career_, session_->simulation(), event) || run_.save.empty()) return;
+    try {
         saveCareer(run_.save, career_);
+    } catch (core::Error const& error) {
+        if (!surface_.hasWindow()) throw;
+        messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
+    }
 }
 
 ui::GroundHeight Game::groundHeight() const {

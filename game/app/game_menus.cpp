@@ -20,7 +20,7 @@ bool changesFlight(std::string const& key) {
 std::vector<ui::MenuWeather::Source> offeredWeather() {
     std::vector<ui::MenuWeather::Source> sources;
     std::error_code ignored;
-    auto const folder = platform::dataFile("assets/weather");
+    auto const folder = std::filesystem::absolute(platform::dataFile("assets/weather"));
     for (auto const& entry : std::filesystem::directory_iterator{folder, ignored})
         if (entry.path().extension() == ".json")
             sources.push_back(

@@ -68,7 +68,7 @@ void flyBlind(PlayOptions options) {
     RunOptions const& run = options.run;
     Session session{std::move(options.session)};
     terrain::Streamer streamer{session.world().land(), run.workers, kChunkBytes};
-    delivery::Career career = run.save.empty() ? delivery::Career{} : loadCareer(run.save);
+    delivery::Career career = run.save.empty() ? delivery::Career{} : namedCareer(run.save);
     for (long long frame = 1; session.simulation().tick() < *run.ticks; ++frame) {
         FrameStep const step = simulatedStep(frame, run.frameRate);
         for (long long i = 0; i < step.ticks && session.simulation().tick() < *run.ticks; ++i) session.tick();

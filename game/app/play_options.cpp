@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "engine/core/error.h"
@@ -21,8 +22,14 @@ constexpr double kDefaultHeading_deg = 250.0;  // along the low sun's light, the
 constexpr int kMostWorkers = 256;
 
 void checkOutputs(PlayTexts const& texts) {
-    auto const check = [](char const* option, std::filesystem::path const& file) {
-        if (!file.empty()) core::checkOutputFolder(option, file);
+    std::map<std::filesystem::path, char const*> taken;
+    auto const check = [&](char const* option, std::filesystem::path const& file) {
+        if (file.empty()) return;
+        core::checkOutputFolder(option, file);
+        std::error_code ignored;
+        auto const [other, fresh] = taken.emplace(std::filesystem::weakly_canonical(file, ignored), option);
+        if (!fresh && !std::filesystem::is_other(file, ignored))
+            throw core::Error{file.string(), option, fmt::format("expected another file than that of {}", other->second)};
     };
     check("--log", texts.log);
     check("--report", texts.report);
@@ -30,6 +37,9 @@ void checkOutputs(PlayTexts const& texts) {
     check("--save-replay", texts.saveReplay);
     check("--save-weather", texts.saveWeather);
     check("--save", texts.save);
+    if (!texts.screenshot.empty() && texts.screenshot.extension() != ".png")
+        throw core::Error{"--screenshot", "", fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
+    if (!texts.save.empty()) namedCareer(texts.save);
 }
 
 RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
@@ -83,6 +93,8 @@ void planWeather(FlightPlan& plan, CommonOptions const& common) {
     std::optional<weather::PlaceWish> wish;
     if (common.place) wish = {common.place->lat_deg, common.place->lon_deg, common.place->altitude_m};
     weather::Field const field = weather::loadWeather(plan.weather, wish);
+    if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
+        plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
     core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
@@ -146,13 +158,34 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
     return options;
 }
 
+namespace {
+/// The file holds the flight: what would make it another one is refused.
+void refuseAnotherFlight(CommonOptions const& common) {
+    auto const refuse = [](bool given, char const* option, std::string const& key = "") {
+        if (given) throw core::Error{option, key, "expected not with replay, whose file holds the whole flight"};
+    };
+    refuse(!common.weather.empty(), "--weather");
+    refuse(common.place.has_value(), "--place");
+    refuse(common.time.has_value(), "--time");
+    refuse(common.seed.has_value(), "--seed");
+    FlightSettings flight;
+    core::SettingList list;
+    appendFlightSettings(list, flight);
+    for (std::string const& assignment : common.assignments) {
+        std::string const key = assignment.substr(0, assignment.find('='));
+        refuse(core::findSetting(list, key), "--set", key);
+    }
+}
+}  // namespace
+
 PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& texts,
                           CommonOptions const& common) {
     PlayOptions options;
     options.run = runOptions(texts, common);
+    refuseAnotherFlight(common);
     options.run.headless = true;
     options.run.noRender = options.run.noRender || texts.screenshot.empty();
-    Replay replay = readReplay(file);
+    Replay replay = readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
     options.run.ticks = replay.ticks;
     options.run.settings.flight = replay.plan.simulation.settings;
     options.session.plan = std::move(replay.plan);

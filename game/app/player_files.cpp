@@ -21,12 +21,15 @@ void readSettingsBelowCommandLine(CommonOptions& common, fs::path const& file) {
     for (std::string const& assignment : common.assignments) core::assignSetting(list, "--set", assignment);
     common.settings = settings;
 }
+
+/// The player's folders are made with the first file in them.
+void makeFolderOf(fs::path const& file) {
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+}
 }  // namespace
 
 void usePlayerFiles(CommonOptions& common, RunOptions& run) {
-    std::error_code ignored;
-    fs::create_directories(platform::configFolder(), ignored);
-    fs::create_directories(platform::dataFolder(), ignored);
     run.settingsFile = platform::configFolder() / "settings.toml";
     if (run.save.empty()) run.save = platform::dataFolder() / "save.json";
     readSettingsBelowCommandLine(common, run.settingsFile);
@@ -45,7 +48,9 @@ void StoredSettings::change(std::string_view key, core::SettingValue const& valu
 }
 
 void StoredSettings::write() {
-    if (std::exchange(changed_, false) && !file_.empty()) core::writeSettings(list_, notes_, file_);
+    if (!std::exchange(changed_, false) || file_.empty()) return;
+    makeFolderOf(file_);
+    core::writeSettings(list_, notes_, file_);
 }
 
 bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event) {
@@ -63,12 +68,17 @@ bool countParcel(delivery::Career& career, Simulation const& simulation, FlightE
     return true;
 }
 
-delivery::Career loadCareer(fs::path const& file) {
+delivery::Career namedCareer(fs::path const& file) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) return {};
+    if (!fs::is_regular_file(file, ignored) || fs::is_empty(file, ignored)) return {};
+    return delivery::parseCareer(core::readFile(file), file.string());
+}
+
+delivery::Career loadCareer(fs::path const& file) {
     try {
-        return delivery::parseCareer(core::readFile(file), file.string());
+        return namedCareer(file);
     } catch (core::Error const& error) {
+        std::error_code ignored;
         fs::rename(file, file.string() + ".bad", ignored);
         fmt::print("{}; set aside as {}.bad\n", error.what(), file.string());
         return {};
@@ -76,10 +86,7 @@ delivery::Career loadCareer(fs::path const& file) {
 }
 
 void saveCareer(fs::path const& file, delivery::Career const& career) {
-    try {
-        core::writeFileAtomically(file, delivery::careerText(career));
-    } catch (core::Error const& error) {
-        fmt::print("{}\n", error.what());
-    }
+    makeFolderOf(file);
+    core::writeFileAtomically(file, delivery::careerText(career));
 }
 }  // namespace luftpost::app

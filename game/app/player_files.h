@@ -11,7 +11,7 @@
 namespace luftpost::app {
 struct RunOptions;
 
-/// Takes settings and seed from the player's folders (making them where they are missing) for what the
+/// Takes settings and seed from the player's folders for what the
 /// command line leaves open, and names the files for writing in `run`. What is wrong in them is said on
 /// standard output; the game starts.
 void usePlayerFiles(CommonOptions& common, RunOptions& run);
@@ -40,8 +40,10 @@ private:
 /// Takes a parcel that came down into the career; false when the event was something else.
 bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event);
 
-/// The career in `file`. A missing file is a new career; a broken one is set aside as FILE.bad and said so.
+/// The career in a file that the command line names. A missing or empty file is a new career. Throws core::Error.
+delivery::Career namedCareer(std::filesystem::path const& file);
+/// The player's career. A broken file is set aside as FILE.bad and said so.
 delivery::Career loadCareer(std::filesystem::path const& file);
-/// Writes atomically. A disk that refuses is said so on standard output, once a call; never throws.
+/// Writes atomically. Throws core::Error when the disk refuses.
 void saveCareer(std::filesystem::path const& file, delivery::Career const& career);
 }  // namespace luftpost::app

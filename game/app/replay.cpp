@@ -8,6 +8,10 @@ namespace luftpost::app {
 namespace {
 using Json = nlohmann::ordered_json;
 constexpr char const* kFormat = "luftpost-replay-1";
+constexpr long long kMostTicks = 240'000'000;                     // of a million seconds
+constexpr double kFirstUtc = -62167219200.0, kLastUtc = 253402300799.0;  // the years 0 to 9999
+constexpr double kHighestStart = 25000.0, kFastestStart = 150.0;  // m, m/s
+constexpr double kMostTurns = 13.0;                               // rad either way, as --start has it
 
 Json settingsJson(FlightSettings settings) {
     core::SettingList list;
@@ -62,70 +66,116 @@ Json inputJson(StampedInput const& input) {
     return json;
 }
 
-core::SettingValue valueFrom(Json const& json) {
-    if (json.is_boolean()) return json.get<bool>();
-    if (json.is_number()) return json.get<double>();
-    return json.get<std::string>();
+/// A part of the file, and where it is: "inputs.at(3).stick".
+struct Part {
+    Json const& json;
+    std::string const& file;
+    std::string place;
+
+    Part operator[](char const* key) const {
+        if (!json.is_object() || !json.contains(key)) refuse(fmt::format("an object with \"{}\"", key));
+        return {json.at(key), file, place.empty() ? key : place + "." + key};
+    }
+    Part at(std::size_t index) const { return {json.at(index), file, fmt::format("{}[{}]", place, index)}; }
+    bool has(char const* key) const { return json.is_object() && json.contains(key); }
+    /// A list of so many things.
+    Part list(std::size_t size) const {
+        if (!json.is_array() || json.size() != size) refuse(fmt::format("a list of {}", size));
+        return *this;
+    }
+    double number(double min, double max) const {
+        if (!json.is_number() || !(json.get<double>() >= min && json.get<double>() <= max))
+            refuse(fmt::format("a number {}..{}", min, max));
+        return json.get<double>();
+    }
+    long long whole(long long min, long long max) const {
+        bool const fits = json.is_number_unsigned() ? json.get<unsigned long long>() <= static_cast<unsigned long long>(max)
+                                                    : json.is_number_integer() && json.get<long long>() <= max;
+        if (!fits || json.get<long long>() < min) refuse(fmt::format("a whole number {}..{}", min, max));
+        return json.get<long long>();
+    }
+    std::string text() const {
+        if (!json.is_string()) refuse("a text");
+        return json.get<std::string>();
+    }
+    bool flag() const {
+        if (!json.is_boolean()) refuse("true or false");
+        return json.get<bool>();
+    }
+    [[noreturn]] void refuse(std::string const& expected) const {
+        std::string found = json.dump();
+        if (found.size() > 40) found = found.substr(0, 40) + "...";
+        throw core::Error{file, place, fmt::format("expected {}, found {}", expected, found)};
+    }
+};
+
+core::SettingValue valueFrom(Part const& part) {
+    if (part.json.is_boolean()) return part.flag();
+    if (part.json.is_number()) return part.json.get<double>();
+    return part.text();
 }
 
-ui::InputSample sampleFrom(Json const& json) {
+/// A setting that the simulation knows, with a value that it takes.
+SettingInput settingFrom(std::string const& key, Part const& value) {
+    FlightSettings settings;
+    core::SettingList list;
+    appendFlightSettings(list, settings);
+    core::Setting* const setting = core::findSetting(list, key);
+    if (!setting)
+        throw core::Error{value.file, value.place, fmt::format("expected a setting of the flight, found {}", key)};
+    SettingInput const change{key, valueFrom(value)};
+    core::assignSetting(*setting, fmt::format("{}: {}", value.file, value.place), change.value);
+    return change;
+}
+
+ui::InputSample sampleFrom(Part const& part) {
     ui::InputSample sample;
-    sample.keys = json.at("keys").get<unsigned>();
-    if (json.contains("pad")) {
-        auto const axes = json["pad"].get<std::array<float, 5>>();
-        sample.pad = {axes[0], axes[1], axes[2], axes[3], axes[4]};
+    sample.keys = static_cast<unsigned>(part["keys"].whole(0, (1 << static_cast<unsigned>(ui::FlightKey::count)) - 1));
+    if (part.has("pad")) {
+        Part const axes = part["pad"].list(5);
+        auto const axis = [&](std::size_t i) { return static_cast<float>(axes.at(i).number(-2.0, 2.0)); };
+        sample.pad = {axis(0), axis(1), axis(2), axis(3), axis(4)};
     }
-    if (json.contains("stick")) {
-        Json const& stick = json["stick"];
-        sample.direct = ui::DirectStick{{}, stick.at(1), stick.at(2), stick.at(3), stick.at(4), stick.at(5)};
-        if (!stick.at(0).is_null()) sample.direct->throttle = stick.at(0).get<double>();
+    if (part.has("stick")) {
+        Part const stick = part["stick"].list(6);
+        auto const axis = [&](std::size_t i, double min) { return stick.at(i).number(min, 1.0); };
+        sample.direct = ui::DirectStick{{}, axis(1, -1.0), axis(2, -1.0), axis(3, -1.0), axis(4, 0.0), axis(5, 0.0)};
+        if (!stick.at(0).json.is_null()) sample.direct->throttle = axis(0, 0.0);
     }
     return sample;
 }
 
-FlightInput inputFrom(Json const& json) {
-    if (json.contains("setting")) return SettingInput{json["setting"], valueFrom(json.at("value"))};
-    if (json.contains("weather")) return WeatherInput{json["weather"]};
-    if (json.contains("utc")) return ClockInput{json["utc"]};
-    return sampleFrom(json);
+FlightInput inputFrom(Part const& part) {
+    if (part.has("setting")) return settingFrom(part["setting"].text(), part["value"]);
+    if (part.has("weather")) return WeatherInput{part["weather"].text()};
+    if (part.has("utc")) return ClockInput{part["utc"].number(kFirstUtc, kLastUtc)};
+    return sampleFrom(part);
 }
 
-FlightPlan planFrom(Json const& json, std::string const& file) {
+FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     FlightPlan plan;
-    plan.weather = json.at("weather");
-    plan.weatherSha256 = json.at("weather_sha256");
-    auto const place = json.at("place").get<std::array<double, 3>>();
-    plan.place = {place[0], place[1], place[2]};
+    plan.weather = part["weather"].text();
+    plan.weatherSha256 = part["weather_sha256"].text();
+    Part const place = part["place"].list(3);
+    plan.place = {place.at(0).number(-90.0, 90.0), place.at(1).number(-180.0, 180.0), place.at(2).number(-500.0, 20000.0)};
     SimulationOptions& s = plan.simulation;
-    s.seed = json.at("seed");
-    s.time = json.at("utc");
-    Json const& start = json.at("start");
-    s.start = {start.at("runway"), start.at("altitude"), start.at("tas"), start.at("heading")};
-    s.payload = json.at("payload_kg");
-    s.fuel = json.at("fuel_kg");
+    s.seed = static_cast<unsigned>(part["seed"].whole(0, 4294967295));
+    s.time = part["utc"].number(kFirstUtc, kLastUtc);
+    Part const start = part["start"];
+    s.start.runway = start["runway"].flag();
+    s.start.altitude = start["altitude"].number(-kHighestStart, kHighestStart);
+    s.start.tas = start["tas"].number(0.0, kFastestStart);
+    s.start.heading = start["heading"].number(-kMostTurns, kMostTurns);
+    s.payload = part["payload_kg"].number(0.0, airframe.payloadMax);
+    s.fuel = part["fuel_kg"].number(0.0, airframe.fuelMax);
     core::SettingList list;
     appendFlightSettings(list, s.settings);
-    for (auto const& [key, value] : json.at("settings").items()) {
-        core::Setting* const setting = core::findSetting(list, key);
-        if (!setting) throw core::Error{file, "plan.settings." + key, "expected a setting of the flight"};
-        core::assignSetting(*setting, file, valueFrom(value));
+    Part const settings = part["settings"];
+    for (auto const& [key, value] : settings.json.items()) {
+        SettingInput const change = settingFrom(key, settings[key.c_str()]);
+        core::findSetting(list, key)->set(change.value);
     }
     return plan;
-}
-
-/// Keys that the simulation does not know would end the program later: refuse them here.
-void checkInput(StampedInput const& input, long long before, std::string const& file, std::size_t index) {
-    std::string const place = fmt::format("inputs[{}]", index);
-    if (input.tick < before)
-        throw core::Error{file, place, fmt::format("expected a tick not before {}", before)};
-    auto const* change = std::get_if<SettingInput>(&input.what);
-    if (!change) return;
-    FlightSettings settings;
-    core::SettingList list;
-    appendFlightSettings(list, settings);
-    core::Setting* const setting = core::findSetting(list, change->key);
-    if (!setting) throw core::Error{file, place + "." + change->key, "expected a setting of the flight"};
-    core::assignSetting(*setting, file, change->value);
 }
 }  // namespace
 
@@ -142,24 +192,20 @@ std::string replayText(Replay const& replay) {
     return text + "\n]}\n";
 }
 
-Replay readReplay(std::filesystem::path const& file) {
+Replay readReplay(std::filesystem::path const& file, flight::Airframe const& airframe) {
     std::string const name = file.string();
     std::string const bytes = core::readFile(file);
-    try {
-        Json const json = Json::parse(bytes);
-        if (!json.is_object() || json.value("format", "") != kFormat)
-            throw core::Error{name, "format", fmt::format("expected {}", kFormat)};
-        Replay replay{planFrom(json.at("plan"), name), json.at("ticks"), {}};
-        long long before = 0;
-        for (Json const& input : json.at("inputs")) {
-            StampedInput const stamped{input.at("tick"), inputFrom(input)};
-            checkInput(stamped, before, name, replay.inputs.size());
-            before = stamped.tick;
-            replay.inputs.push_back(stamped);
-        }
-        return replay;
-    } catch (nlohmann::json::exception const& error) {
-        throw core::Error{name, "", fmt::format("expected a {} file: {}", kFormat, error.what())};
+    Json const json = Json::parse(bytes, nullptr, false);
+    if (!json.is_object() || json.value("format", Json{}) != kFormat)
+        throw core::Error{name, "format", fmt::format("expected a {} file", kFormat)};
+    Part const whole{json, name, ""};
+    Replay replay{planFrom(whole["plan"], airframe), whole["ticks"].whole(0, kMostTicks), {}};
+    Part const inputs = whole["inputs"].list(json["inputs"].size());
+    long long before = 0;
+    for (std::size_t i = 0; i < inputs.json.size(); ++i) {
+        before = inputs.at(i)["tick"].whole(before, kMostTicks);
+        replay.inputs.push_back({before, inputFrom(inputs.at(i))});
     }
+    return replay;
 }
 }  // namespace luftpost::app

@@ -26,6 +26,7 @@ void addCommonOptions(CLI::App& app, CommonOptions& common, CommonTexts& texts) 
     app.add_option("--set", common.assignments, "key=value of one setting; may be repeated")
         ->allow_extra_args(false);
     app.fallthrough();
+    app.require_subcommand(0, 1);
 }
 
 void readCommonOptions(CommonOptions& common, CommonTexts const& texts) {
@@ -39,10 +40,16 @@ void readCommonOptions(CommonOptions& common, CommonTexts const& texts) {
     for (std::string const& assignment : common.assignments) core::assignSetting(list, "--set", assignment);
 }
 
-/// CLI11's complaint as our one line; the nearest option is named for an unknown one.
+/// A library's or a driver's text of several lines, as the contract wants it.
+std::string inOneLine(std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+/// CLI11's complaint; the nearest option is named for an unknown one.
 std::string complaint(CLI::App const& app, CLI::ParseError const& error) {
-    std::string message = error.what();
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::string const message = error.what();
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return message;
     auto const chosen = app.get_subcommands();
     std::vector<CLI::Option const*> known = app.get_options();
@@ -111,7 +118,7 @@ int run(int argc, char** argv) {
     try {
         return runChosen(argc, argv);
     } catch (core::Error const& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        fmt::print(stderr, "{}\n", inOneLine(error.what()));
         return 2;
     }
 }

@@ -88,8 +88,8 @@ void readLapse(SkyRequest& request, SkyTexts const& texts) {
 void readPlan(SkyRequest& request, SkyTexts const& texts) {
     if (texts.plan.empty()) return;
     request.plan_km = numberOption("--plan", texts.plan, 0.001, 2000.0);
-    if (request.projection != render::Projection::perspective || !(texts.look.empty() && texts.fov.empty()) || request.lapse)
-        throw core::Error{"--plan", "", "expected not together with --look, --fov, --panorama, --dome or --frames"};
+    if (request.projection != render::Projection::perspective || !(texts.look.empty() && texts.fov.empty() && texts.exposure.empty()) || request.lapse)
+        throw core::Error{"--plan", "", "expected not together with --look, --fov, --exposure, --panorama, --dome or --frames"};
     if (!isExr(request.output))
         throw core::Error{"-o", "", fmt::format("expected FILE.exr with --plan, found {}", request.output.string())};
 }

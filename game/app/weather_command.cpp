@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/weather/genera.h"
 #include "engine/weather/report_json.h"
@@ -150,6 +151,8 @@ void printNotes(Field const& field, std::optional<core::UtcSeconds> time) {
 }
 
 int runWeather(WeatherTexts const& texts, CommonOptions const& common) {
+    if (!common.weather.empty())
+        throw core::Error{"--weather", "", fmt::format("expected not together with the source {}", texts.source)};
     Field const field = weather::loadWeather(texts.source, placeWish(common));
     if (texts.json) {
         printNotes(field, common.time);

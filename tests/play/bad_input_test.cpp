@@ -26,7 +26,10 @@ TEST(BadInput, NamesTheNearestKnownSettingCommandOrOption) {
     expectRefused(kFly + "--set clouds.sigma", {"key=value"});
     expectRefused(kFly + "--second 3", {"--second", "--seconds"});
     expectRefused("plya", {"plya", "play"});
+    expectRefused(kFly + "--set clouds.densty=1", {"clouds.densityThreshold"});
     expectRefused("play extra --headless --seconds 1", {"extra"});
+    expectRefused("play sky -o x.png", {"sky"});
+    expectRefused("sky weather preset:fair", {"weather"});
 }
 
 TEST(BadInput, IsFoundInEveryOption) {
@@ -56,6 +59,18 @@ TEST(BadInput, IsFoundInEveryOption) {
     expectRefused(kFly + "--weather preset:sunny", {"sunny"});
     expectRefused(kFly + "--weather recorded:/no/such/file.json", {"/no/such/file.json"});
     expectRefused(kFly + "--screenshot /tmp/x.png", {"--screenshot", "--no-render"});
+    for (char const* picture : {"/tmp/picture.jpg", "/tmp/picture_without_ending"})
+        expectRefused(std::string{"play --headless --seconds 1 --screenshot "} + picture, {"--screenshot", "FILE.png", picture});
+}
+
+TEST(BadInput, IsAnOptionThatContradictsAnother) {
+    std::string const file = (scratch() / "one").string();
+    expectRefused(kFly + "--log '" + file + "' --report '" + file + "'", {"--report", file.c_str(), "--log"});
+    expectRefused("weather preset:fair --weather preset:storm", {"--weather", "preset:fair"});
+    expectRefused("sky --plan 5 --exposure 1 -o x.exr", {"--plan", "--exposure"});
+    for (char const* other : {"--weather preset:calm", "--place 1,2", "--time 2023-06-23T18:40Z", "--seed 2"})
+        expectRefused(std::string{"replay r "} + other, {std::string{other}.substr(0, 6).c_str(), "replay"});
+    expectRefused("replay r --set aircraft.rollSpeed=30", {"--set", "aircraft.rollSpeed", "replay"});
 }
 
 TEST(BadInput, IsAnEmptyTextInAnyOption) {
@@ -92,8 +107,39 @@ TEST(BadInput, NamesPlaceInFiles) {
     expectRefused(kFly + "--weather recorded:" + file("w.json", "{\"format\":\"luftpost-weather-1\"}"),
                   {"w.json"});
     expectRefused(kFly + "--weather recorded:" + file("x.json", "{"), {"x.json"});
+    expectRefused(kFly + "--save " + file("s.json", "{\"format\":\"luftpost-save-1\",\"score\":-1}"), {"s.json", "score"});
     expectRefused("replay " + file("r.json", "{\"format\":\"luftpost-replay-1\"}"), {"r.json"});
     expectRefused("replay /no/such.replay", {"/no/such.replay"});
+}
+
+TEST(BadInput, NamesThePlaceInAReplay) {
+    path const good = scratch() / "good.replay", bad = scratch() / "bad.replay";
+    ASSERT_EQ(run(kFly + "--save-replay '" + good.string() + "'").code, 0);
+    auto const whole = nlohmann::json::parse(luftpost::tests::fileText(good));
+    auto const expectPlace = [&](char const* pointer, char const* value, char const* place) {
+        auto json = whole;
+        json[nlohmann::json::json_pointer{pointer}] = nlohmann::json::parse(value);
+        writeText(bad, json.dump());
+        expectRefused("replay '" + bad.string() + "'", {"bad.replay", place, "expected"});
+    };
+    expectPlace("/ticks", "-5", "ticks");
+    expectPlace("/ticks", "1e300", "ticks");
+    expectPlace("/plan/seed", "-1", "plan.seed");
+    expectPlace("/plan/payload_kg", "-100", "plan.payload_kg");
+    expectPlace("/plan/payload_kg", "100000", "plan.payload_kg");
+    expectPlace("/plan/place", "[100, 0, 0]", "plan.place[0]");
+    expectPlace("/plan/utc", "null", "plan.utc");
+    expectPlace("/plan/start/tas", "1e9", "plan.start.tas");
+    expectPlace("/plan/settings", "{\"clouds.foo\": 1}", "plan.settings.clouds.foo");
+    expectPlace("/plan/settings", "{\"clouds.sigma\": 99}", "plan.settings.clouds.sigma");
+    expectPlace("/inputs", "[{\"tick\": -4, \"keys\": 0}]", "inputs[0].tick");
+    expectPlace("/inputs", "[{\"tick\": 4, \"keys\": -1}]", "inputs[0].keys");
+    expectPlace("/inputs", "[{\"tick\": 4, \"keys\": 0, \"stick\": [5, 0, 0, 0, 0, 0]}]", "inputs[0].stick[0]");
+    expectPlace("/inputs", "[{\"tick\": 4, \"keys\": 0, \"stick\": [1]}]", "inputs[0].stick");
+    expectPlace("/inputs", "[{\"tick\": 4, \"keys\": 0}, {\"tick\": 3, \"keys\": 0}]", "inputs[1].tick");
+    expectPlace("/inputs", "[{\"tick\": 4, \"utc\": 1e300}]", "inputs[0].utc");
+    expectPlace("/inputs", "[{\"tick\": 4, \"setting\": \"clouds.sigma\", \"value\": \"x\"}]", "inputs[0].value");
+    expectPlace("/inputs", "[{\"tick\": 4}]", "inputs[0]");
 }
 
 TEST(BadInput, SaysThatTheDiskIsFull) {
@@ -113,6 +159,18 @@ TEST(BadInput, NamesAMissingShader) {
     std::filesystem::create_directories(data / "shaders");
     std::filesystem::create_directory_symlink(root / "assets", data / "assets");
     expectRefused("play --headless --seconds 1 --size 64x36", {"shaders"},
+                  "LUFTPOST_DATA='" + data.string() + "'");
+}
+
+TEST(BadInput, IsAShaderThatDoesNotCompileAndIsSaidInOneLine) {
+    path const data = scratch() / "data_with_a_broken_shader";
+    path const root{LUFTPOST_SOURCE_DIR};
+    std::filesystem::create_directories(data);
+    std::filesystem::create_directory_symlink(root / "assets", data / "assets");
+    std::filesystem::copy(root / "shaders", data / "shaders", std::filesystem::copy_options::recursive);
+    path const shader = data / "shaders/pass/terrain.vert";
+    writeText(shader, luftpost::tests::fileText(shader) + "\nnonsense\n");
+    expectRefused("play --headless --seconds 1 --size 64x36", {"shaders/pass/terrain.vert", "compiles"},
                   "LUFTPOST_DATA='" + data.string() + "'");
 }
 

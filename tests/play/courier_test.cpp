@@ -65,6 +65,17 @@ TEST(Replay, IsTheFlightAgainAtAnyFrameRate) {
     EXPECT_EQ(again["changed"]["aircraft.rollSpeed"], 45.0);
 }
 
+TEST(Replay, FindsItsRecordingFromAnyFolder) {
+    auto const folder = scratch();
+    std::filesystem::copy_file(std::filesystem::path{LUFTPOST_SOURCE_DIR} / "assets/weather/melbourne_2024-01-16.json",
+                               folder / "here.json", std::filesystem::copy_options::overwrite_existing);
+    auto const from = std::filesystem::current_path();
+    std::filesystem::current_path(folder);
+    auto const flown = flight(kBot + "--seconds 3 --weather recorded:here.json --save-replay flight.replay");
+    std::filesystem::current_path(from);
+    EXPECT_EQ(flight("replay '" + (folder / "flight.replay").string() + "'")["state_hash"], flown["state_hash"]);
+}
+
 TEST(InputFile, FliesTheAircraftAndDropsTheParcel) {
     auto const folder = scratch();
     luftpost::tests::writeText(folder / "in.csv",
@@ -118,6 +129,17 @@ TEST(Save, KeepsScoreAndDeliveriesAcrossRuns) {
     auto const second = nlohmann::json::parse(fileText(save));
     EXPECT_EQ(second["deliveries"], 2 * first["deliveries"].get<int>());
     EXPECT_FALSE(std::filesystem::exists(save + ".new"));
+}
+
+TEST(Save, IsBegunInAnEmptyFileAndRefusedByAFullDiskWithOneLine) {
+    std::string const save = (scratch() / "save.json").string();
+    luftpost::tests::writeText(save, "");
+    flight(kBot + "--seconds 75 --save '" + save + "'");
+    EXPECT_GE(nlohmann::json::parse(fileText(save))["deliveries"], 1);
+    auto const full = luftpost::tests::run(kBot + "--seconds 75 --save /dev/full");
+    EXPECT_EQ(full.code, 2);
+    EXPECT_EQ(full.complaints(), 1) << full.err;
+    EXPECT_NE(full.err.find("/dev/full"), std::string::npos) << full.err;
 }
 
 TEST(Save, IsNeitherReadNorWrittenHeadlessUnlessNamed) {

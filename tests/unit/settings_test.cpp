@@ -76,6 +76,9 @@ TEST(Settings, NameTheNearestKeyForAnUnknownOne) {
     EXPECT_EQ(messageOf([&] { assignSetting(list, "--set", "sample.stepps=3"); }),
               "--set: sample.stepps: no such setting; the nearest known is sample.steps");
     EXPECT_EQ(nearestKey(list, "shadow"), "sample.shadows");
+    std::vector<std::string> const known{"clouds.height", "clouds.densityThreshold", "clouds.sigma"};
+    EXPECT_EQ(nearestText(known, "clouds.densty"), "clouds.densityThreshold") << "a word that was left off";
+    EXPECT_EQ(nearestText(known, "clouds.higt"), "clouds.height");
 }
 
 TEST(Settings, RefuseValuesOutOfRangeOrOfAnotherType) {
