@@ -88,7 +88,8 @@ TEST(Flight, StartsOnTheRunwayAtRest) {
     std::istringstream log{fileText(folder / "log.csv")};
     std::string line;
     std::getline(log, line);
-    while (std::getline(log, line)) {
+    int rows = 0;
+    for (; std::getline(log, line); ++rows) {
         std::vector<double> values;
         std::istringstream cells{line};
         for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
@@ -96,6 +97,7 @@ TEST(Flight, StartsOnTheRunwayAtRest) {
         EXPECT_EQ(values[26], 1.0) << "on the ground at " << values[0];
         EXPECT_LT(values[7], 1.0) << "hardly rolls at " << values[0];
     }
+    EXPECT_EQ(rows, 31);
 }
 
 TEST(Flight, GoesOnAfterACrash) {
