@@ -55,6 +55,10 @@ std::vector<std::uint16_t> gridIndices(int stride) {
     return indices;
 }
 
+// A view wants up to 300 chunks from any height, and 12 MB are in the making: more would only serve a way flown twice,
+// while memory grew for as long as a flight finds new land.
+constexpr std::size_t kMostChunks = 500;
+
 constexpr std::array<gl::Attribute, 1> kAttributes{gl::Attribute{0, 4, gl::AttributeType::uint8, 0, false, true}};
 
 int trianglesOf(int quarters, int stride) { return quarters * 2 * (kChunkCells / stride / 2) * (kChunkCells / stride / 2); }
@@ -97,10 +101,12 @@ void LandScene::startOver(Snapshot const& snapshot, int step) {
     making_ = std::make_shared<Making>();
     streamer_.reset();
     textures_.clear();
+    spare_.clear();
     land_ = std::make_unique<terrain::Land>(snapshot.seed, snapshot.place.altitude_m);
     terrain::StreamerOptions options;
     options.workers = workers_;
     options.step = step;
+    options.capBytes = std::min(options.capBytes, kMostChunks * terrain::chunkBytes(kChunkCells / step));
     streamer_ = std::make_unique<terrain::Streamer>(*land_, options);
     shadowJobs_ = std::make_unique<core::Jobs>(1);
 }
@@ -123,15 +129,27 @@ void LandScene::update(FrameContext const& context) {
 
 void LandScene::take(terrain::DrawList list) {
     list_ = std::move(list);
-    for (ChunkKey const& key : list_.dropped) textures_.erase(key);
+    for (ChunkKey const& key : list_.dropped)
+        if (auto const gone = textures_.extract(key)) spare_.push_back(std::move(gone.mapped().texture));
     for (auto const& chunk : list_.fresh) {
-        int const side = chunk->cells + 1;
-        ChunkTexture entry{gl::Texture2D{gl::Format::rgba32f, {side, side}, 1, "chunk"}, chunk->lowest};
-        entry.texture.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
+        ChunkTexture entry{spareTexture(chunk->cells + 1), chunk->lowest};
         entry.texture.upload(std::span<float const>{&chunk->samples.front().x, chunk->samples.size() * 4});
         textures_.insert_or_assign(chunk->key, std::move(entry));
     }
     list_.fresh.clear();
+}
+
+// All chunks of a streamer are of one size: a dropped one's texture serves the next. Made and freed anew they would be strewn
+// over the heap of a driver that keeps them there.
+gl::Texture2D LandScene::spareTexture(int side) {
+    if (!spare_.empty()) {
+        gl::Texture2D texture = std::move(spare_.back());
+        spare_.pop_back();
+        return texture;
+    }
+    gl::Texture2D texture{gl::Format::rgba32f, {side, side}, 1, "chunk"};
+    texture.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
+    return texture;
 }
 
 // The finest mesh that keeps the frame within its triangles, of those whose vertices were sampled.

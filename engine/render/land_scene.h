@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/program.h"
@@ -58,6 +59,7 @@ private:
     };
     void startOver(Snapshot const& snapshot, int step);
     void take(terrain::DrawList list);
+    gl::Texture2D spareTexture(int side);
     void chooseMesh(int budget);
     void updateShadow(Snapshot const& snapshot);
     void takeShadow(terrain::ShadowMap map);
@@ -68,6 +70,7 @@ private:
     std::unique_ptr<terrain::Streamer> streamer_;
     terrain::DrawList list_;
     std::unordered_map<terrain::ChunkKey, ChunkTexture, terrain::ChunkHash> textures_;
+    std::vector<gl::Texture2D> spare_;  // of dropped chunks
     std::array<std::unique_ptr<GridMesh>, 6> meshes_;
     GridMesh const* mesh_ = nullptr;
     gl::Buffer block_;

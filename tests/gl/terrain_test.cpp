@@ -94,5 +94,20 @@ TEST_F(LandTest, KeepsWithinItsTrianglesAndItsMemory) {
         EXPECT_LE(picture.scene().stats().peakBytes, 160'000'000u);
     }
 }
+
+TEST_F(LandTest, TakesNoFurtherMemoryOnceItsCacheIsFull) {
+    LandPicture picture{{64, 36}};
+    std::size_t full = 0;
+    int later = 0;
+    for (int place = 0; place < 12 && later < 2; ++place) {
+        picture.aim(core::worldFromEastNorth(place * 40'000.0, 0.0, 1200.0), 1.0, -0.1, 1.2, true);
+        if (picture.scene().stats().evicted == 0) continue;
+        if (full == 0) full = gl::allocatedBytes();
+        else ++later;
+        EXPECT_EQ(gl::allocatedBytes(), full) << place;
+    }
+    EXPECT_EQ(later, 2) << "it was never full";
+    EXPECT_LT(picture.scene().stats().peakBytes, 60'000'000u) << "of a small picture's chunks";
+}
 }  // namespace
 }  // namespace luftpost::render

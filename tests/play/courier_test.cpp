@@ -99,7 +99,8 @@ TEST(Flight, StartsOnTheRunwayAtRest) {
     std::istringstream log{fileText(folder / "log.csv")};
     std::string line;
     std::getline(log, line);
-    while (std::getline(log, line)) {
+    int rows = 0;
+    for (; std::getline(log, line); ++rows) {
         std::vector<double> values;
         std::istringstream cells{line};
         for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
@@ -107,6 +108,7 @@ TEST(Flight, StartsOnTheRunwayAtRest) {
         EXPECT_EQ(values[26], 1.0) << "on the ground at " << values[0];
         EXPECT_LT(values[7], 1.0) << "hardly rolls at " << values[0];
     }
+    EXPECT_EQ(rows, 31);
 }
 
 TEST(Flight, GoesOnAfterACrash) {
@@ -155,10 +157,7 @@ TEST(Weather, OfAFlightIsSavedAsARecordingThatFliesTheSame) {
         auto const flown = flight(kBot + source + "--seconds 20 --save-weather '" + file + "'");
         auto const again =
             flight(kBot + "--seconds 20 --time 2023-06-23T18:40Z --weather 'recorded:" + file + "'");
-        EXPECT_EQ(again["drops"].size(), flown["drops"].size());
-        if (source.empty()) {
-            EXPECT_EQ(again["state_hash"], flown["state_hash"]);
-        }
+        EXPECT_EQ(again["state_hash"], flown["state_hash"]) << source;
     }
 }
 }  // namespace

@@ -84,7 +84,7 @@ TEST(PlaneModel, StandsOnTheWheelsOfTheAirframe) {
     flight::Airframe const airframe = flight::loadAirframe(kAssets / "airframes" / "mail_plane.json");
     std::pair<char const*, char const*> const wheels[] = {{"nose wheel", "wheel_nose"}, {"left wheel", "wheel_left"}, {"right wheel", "wheel_right"}};
     for (auto const& [ofAirframe, ofModel] : wheels) {
-        auto const wheel = std::find_if(airframe.wheels.begin(), airframe.wheels.end(), [&](auto const& w) { return w.name == ofAirframe; });
+        auto const wheel = std::find_if(airframe.wheels.begin(), airframe.wheels.end(), [&, name = ofAirframe](auto const& w) { return w.name == name; });
         ASSERT_NE(wheel, airframe.wheels.end()) << ofAirframe;
         Bounds const b = bounds(plane, ofModel);
         EXPECT_NEAR(b.low.y, wheel->position.y, 0.03) << ofModel;
