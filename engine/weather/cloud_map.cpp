@@ -36,14 +36,16 @@ MapTile makeTile(MapKey const& key) {
     tile.corner = glm::dvec2{key.place} * placeStep(key.level);
     tile.ranks.resize(static_cast<std::size_t>(kMapSize) * kMapSize);
     double const scale = static_cast<double>(key.scale);
-    for (int y = 0; y < kMapSize; ++y)
-        for (int x = 0; x < kMapSize; ++x) {
-            double const east = tile.corner.x + (x + 0.5) * texelSize(key.level);
-            double const south = tile.corner.y + (y + 0.5) * texelSize(key.level);
-            float const rank = pattern.drifting(east / scale, -south / scale);
-            tile.ranks[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)] =
-                static_cast<std::uint16_t>(rank * 65535.0f + 0.5f);
-        }
+    std::array<double, kMapSize> east, north;
+    std::array<float, kMapSize> ranks;
+    for (std::size_t x = 0; x < kMapSize; ++x)
+        east[x] = (tile.corner.x + (static_cast<double>(x) + 0.5) * texelSize(key.level)) / scale;
+    for (std::size_t y = 0; y < kMapSize; ++y) {
+        north.fill(-(tile.corner.y + (static_cast<double>(y) + 0.5) * texelSize(key.level)) / scale);
+        pattern.drifting(east, north, ranks);
+        for (std::size_t x = 0; x < kMapSize; ++x)
+            tile.ranks[y * kMapSize + x] = static_cast<std::uint16_t>(ranks[x] * 65535.0f + 0.5f);
+    }
     return tile;
 }
 

@@ -1,7 +1,9 @@
 #include "engine/weather/cloud_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "engine/core/check.h"
 #include "engine/weather/cloud_rank.h"
 
 namespace luftpost::weather {
@@ -62,20 +64,82 @@ LayerPattern::LayerPattern(Layer const& layer, unsigned seed, PatternDetail deta
     warpReach_ = detail == PatternDetail::Coarse ? 0.0f : static_cast<float>(plan.warpReach / period);
 }
 
+// Octave by octave over all points: nothing in a loop over points depends on the octave's kind, so each is
+// vector code.
+__attribute__((always_inline)) inline void LayerPattern::row(double const* __restrict east,
+                                                             double const* __restrict north,
+                                                             float* __restrict out, std::size_t count) const {
+    std::array<float, kBlock> x, y;
+    double const axisX = lattice_.x, axisY = lattice_.y;
+    for (std::size_t i = 0; i < count; ++i) {
+        double const along = east[i] * axisX + north[i] * axisY;
+        double const across = north[i] * axisX - east[i] * axisY;
+        x[i] = static_cast<float>(wrapped(along, kPatternPeriod) / kPatternPeriod);
+        y[i] = static_cast<float>(wrapped(across, kPatternPeriod) / kPatternPeriod);
+        out[i] = 0.0f;
+    }
+    if (warpReach_ > 0.0f) {
+        glm::ivec2 const cells = warpCells_;
+        float const turns = warpTurns_, reach = warpReach_;
+        unsigned const seed = seed_ + 5u;
+        for (std::size_t i = 0; i < count; ++i) {
+            glm::vec2 const warp = glsl::patternWarp(glm::vec2{x[i], y[i]}, cells, turns, reach, seed);
+            x[i] += warp.x;
+            y[i] += warp.y;
+        }
+    }
+    for (int o = 0; o < octaveCount_; ++o) {
+        glsl::PatternOctave octave = octaves_[static_cast<std::size_t>(o)];
+        unsigned const seed = seed_ + 17u * static_cast<unsigned>(o);
+        if (octave.billow > 0.5f) {
+            octave.billow = 1.0f;  // a constant leaves one kind of noise in the loop
+            for (std::size_t i = 0; i < count; ++i)
+                out[i] += glsl::patternOctave(glm::vec2{x[i], y[i]}, octave, seed);
+        } else {
+            octave.billow = 0.0f;
+            for (std::size_t i = 0; i < count; ++i)
+                out[i] += glsl::patternOctave(glm::vec2{x[i], y[i]}, octave, seed);
+        }
+    }
+}
+
+// Flattened: a noise that stays a call keeps its loop scalar.
+__attribute__((flatten)) void LayerPattern::rowPlain(double const* east, double const* north, float* out,
+                                                     std::size_t count) const {
+    row(east, north, out, count);
+}
+#if defined(__x86_64__)
+__attribute__((flatten, target("avx2"))) void LayerPattern::rowWide(double const* east, double const* north,
+                                                                    float* out, std::size_t count) const {
+    row(east, north, out, count);
+}
+#endif
+
 float LayerPattern::value(double east, double north) const {
-    double const along = east * lattice_.x + north * lattice_.y;
-    double const across = north * lattice_.x - east * lattice_.y;
-    glm::vec2 unit{static_cast<float>(wrapped(along, kPatternPeriod) / kPatternPeriod),
-                   static_cast<float>(wrapped(across, kPatternPeriod) / kPatternPeriod)};
-    if (warpReach_ > 0.0f) unit += glsl::patternWarp(unit, warpCells_, warpTurns_, warpReach_, seed_ + 5u);
-    float sum = 0.0f;
-    for (int i = 0; i < octaveCount_; ++i)
-        sum += glsl::patternOctave(unit, octaves_[static_cast<std::size_t>(i)], seed_ + 17u * static_cast<unsigned>(i));
-    return sum;
+    float out = 0.0f;
+    rowPlain(&east, &north, &out, 1);
+    return out;
 }
 
 float LayerPattern::drifting(double east, double north) const {
     return rankOf(genus_, detail_ == PatternDetail::Coarse, value(east, north));
+}
+
+void LayerPattern::drifting(std::span<double const> east, std::span<double const> north,
+                            std::span<float> ranks) const {
+    CHECK(east.size() == north.size() && east.size() == ranks.size(), "{}, {} and {} points", east.size(),
+          north.size(), ranks.size());
+    for (std::size_t from = 0; from < east.size(); from += kBlock) {
+        std::size_t const count = std::min(kBlock, east.size() - from);
+#if defined(__x86_64__)
+        static bool const wide = __builtin_cpu_supports("avx2") != 0;
+        if (wide)
+            rowWide(&east[from], &north[from], &ranks[from], count);
+        else
+#endif
+            rowPlain(&east[from], &north[from], &ranks[from], count);
+    }
+    for (float& rank : ranks) rank = rankOf(genus_, detail_ == PatternDetail::Coarse, rank);
 }
 
 glm::vec2 LayerPattern::axis() const { return glm::normalize(glm::vec2{lattice_}); }

@@ -14,7 +14,7 @@ struct PatternOctave {
 };
 
 // `unit`: place in the period, 0..1 each way.
-GLSL_FUNCTION float patternOctave(vec2 unit, PatternOctave octave, uint seed) {
+GLSL_INLINE float patternOctave(vec2 unit, PatternOctave octave, uint seed) {
     vec2 p = unit * vec2(octave.cells);
     float noise = octave.billow > 0.5f ? 0.53f - flowWorley(p, octave.cells, octave.turns, seed)
                                        : flowNoise(p, octave.cells, octave.turns, seed);
@@ -22,7 +22,7 @@ GLSL_FUNCTION float patternOctave(vec2 unit, PatternOctave octave, uint seed) {
 }
 
 // Displacement of the domain, of about `reach` in units of the period.
-GLSL_FUNCTION vec2 patternWarp(vec2 unit, ivec2 cells, float turns, float reach, uint seed) {
+GLSL_INLINE vec2 patternWarp(vec2 unit, ivec2 cells, float turns, float reach, uint seed) {
     vec2 p = unit * vec2(cells);
     return reach * vec2(flowNoise(p, cells, turns, seed), flowNoise(p, cells, turns, seed + 77u));
 }

@@ -20,12 +20,14 @@ GLSL_FUNCTION uint hashOf3(int x, int y, int z, uint seed) {
 }
 
 // 0 <= result < 1, from the top 24 bits, so that float holds it exactly.
-GLSL_FUNCTION float unitFromHash(uint hash) { return float(hash >> 8u) * (1.0f / 16777216.0f); }
+GLSL_FUNCTION float unitFromHash(uint hash) { return float(int(hash >> 8u)) * (1.0f / 16777216.0f); }
 
-// The cell of the wrapped lattice, 0 <= result < period, for negative cells too.
+// The cell of the wrapped lattice, 0 <= result < period, for negative cells too; |cell| < 2^24. Divides as float, which
+// vector units can, and puts right a quotient that is one off.
 GLSL_FUNCTION int wrapCell(int cell, int period) {
-    int rest = cell % period;
-    return rest < 0 ? rest + period : rest;
+    int rest = cell - period * int(float(cell) / float(period));
+    rest = rest < 0 ? rest + period : rest;
+    return rest >= period ? rest - period : rest;
 }
 
 // 6t^5 - 15t^4 + 10t^3 (Perlin 2002): first and second derivative vanish at both ends.
@@ -104,7 +106,7 @@ GLSL_FUNCTION vec2 turned(float turns) { return vec2(-waveOf(turns), -waveOf(tur
 
 // Gradient noise in the plane whose gradients turn with time, each at its own rate ("flow noise", Perlin and Neyret
 // 2001): it evolves and its distribution does not, which a slice through a 3D lattice cannot say. About -0.7..0.7.
-GLSL_FUNCTION float flowNoise(vec2 p, ivec2 period, float turns, uint seed) {
+GLSL_INLINE float flowNoise(vec2 p, ivec2 period, float turns, uint seed) {
     ivec2 corner = ivec2(cellOf(p.x), cellOf(p.y));
     vec2 f = p - vec2(corner);
     int x0 = wrapCell(corner.x, period.x);
@@ -117,10 +119,10 @@ GLSL_FUNCTION float flowNoise(vec2 p, ivec2 period, float turns, uint seed) {
     uint h10 = hashOf(uint(x1) + row0);
     uint h01 = hashOf(uint(x0) + row1);
     uint h11 = hashOf(uint(x1) + row1);
-    vec2 g00 = turned(unitFromHash(h00) + turns * (0.6f + 0.8f * float(h00 & 255u) / 255.0f));
-    vec2 g10 = turned(unitFromHash(h10) + turns * (0.6f + 0.8f * float(h10 & 255u) / 255.0f));
-    vec2 g01 = turned(unitFromHash(h01) + turns * (0.6f + 0.8f * float(h01 & 255u) / 255.0f));
-    vec2 g11 = turned(unitFromHash(h11) + turns * (0.6f + 0.8f * float(h11 & 255u) / 255.0f));
+    vec2 g00 = turned(unitFromHash(h00) + turns * (0.6f + 0.8f * float(int(h00 & 255u)) / 255.0f));
+    vec2 g10 = turned(unitFromHash(h10) + turns * (0.6f + 0.8f * float(int(h10 & 255u)) / 255.0f));
+    vec2 g01 = turned(unitFromHash(h01) + turns * (0.6f + 0.8f * float(int(h01 & 255u)) / 255.0f));
+    vec2 g11 = turned(unitFromHash(h11) + turns * (0.6f + 0.8f * float(int(h11 & 255u)) / 255.0f));
     float n00 = g00.x * f.x + g00.y * f.y;
     float n10 = g10.x * (f.x - 1.0f) + g10.y * f.y;
     float n01 = g01.x * f.x + g01.y * (f.y - 1.0f);
@@ -132,28 +134,38 @@ GLSL_FUNCTION float flowNoise(vec2 p, ivec2 period, float turns, uint seed) {
 // There and back between 0 and 1 once a turn, at an even pace, so that every place is as likely as another.
 GLSL_FUNCTION float shuttle(float turns) { return abs(2.0f * (turns - float(int(turns))) - 1.0f); }
 
+// Square of the distance from `f` to the feature point of the cell with hash `h`, whose corner is at `corner`. In cells.
+GLSL_FUNCTION float wandererSquare(uint h, vec2 corner, vec2 f, float turns) {
+    float pace = turns * (0.6f + 0.8f / 255.0f * float(int(h & 255u)));
+    float px = corner.x + 0.06f + 0.88f * shuttle(float(int((h >> 8u) & 4095u)) * (1.0f / 4096.0f) + pace) - f.x;
+    float py = corner.y + 0.06f + 0.88f * shuttle(float(int(h >> 20u)) * (1.0f / 4096.0f) + pace) - f.y;
+    return px * px + py * py;
+}
+
+// The nearest of three neighbours in a row of cells, squared; `x`: their wrapped places.
+GLSL_FUNCTION float wanderersSquare(ivec3 x, uint row, float y, vec2 f, float turns) {
+    float west = wandererSquare(hashOf(uint(x.x) + row), vec2(-1.0f, y), f, turns);
+    float here = wandererSquare(hashOf(uint(x.y) + row), vec2(0.0f, y), f, turns);
+    float east = wandererSquare(hashOf(uint(x.z) + row), vec2(1.0f, y), f, turns);
+    return min(west, min(here, east));
+}
+
 // Distance to the nearest feature point in the plane; the points wander in their cells, evenly spread at any moment.
-// In cells, 0..1.3.
-GLSL_FUNCTION float flowWorley(vec2 p, ivec2 period, float turns, uint seed) {
+// In cells, 0..1.3. Written out, not looped, so that the loop over many points becomes vector code.
+GLSL_INLINE float flowWorley(vec2 p, ivec2 period, float turns, uint seed) {
     ivec2 corner = ivec2(cellOf(p.x), cellOf(p.y));
     vec2 f = p - vec2(corner);
     int x0 = wrapCell(corner.x - 1, period.x);
-    int y = wrapCell(corner.y - 1, period.y);
-    float nearest = 4.0f;
-    for (int dy = -1; dy <= 1; ++dy) {
-        uint row = hashOf(uint(y) + seed);
-        int x = x0;
-        for (int dx = -1; dx <= 1; ++dx) {
-            uint h = hashOf(uint(x) + row);
-            float pace = turns * (0.6f + 0.8f / 255.0f * float(h & 255u));
-            float px = float(dx) + 0.06f + 0.88f * shuttle(float((h >> 8u) & 4095u) * (1.0f / 4096.0f) + pace) - f.x;
-            float py = float(dy) + 0.06f + 0.88f * shuttle(float(h >> 20u) * (1.0f / 4096.0f) + pace) - f.y;
-            nearest = min(nearest, px * px + py * py);
-            x = x + 1 == period.x ? 0 : x + 1;
-        }
-        y = y + 1 == period.y ? 0 : y + 1;
-    }
-    return sqrt(nearest);
+    int x1 = x0 + 1 == period.x ? 0 : x0 + 1;
+    int x2 = x1 + 1 == period.x ? 0 : x1 + 1;
+    int y0 = wrapCell(corner.y - 1, period.y);
+    int y1 = y0 + 1 == period.y ? 0 : y0 + 1;
+    int y2 = y1 + 1 == period.y ? 0 : y1 + 1;
+    ivec3 x = ivec3(x0, x1, x2);
+    float north = wanderersSquare(x, hashOf(uint(y0) + seed), -1.0f, f, turns);
+    float middle = wanderersSquare(x, hashOf(uint(y1) + seed), 0.0f, f, turns);
+    float south = wanderersSquare(x, hashOf(uint(y2) + seed), 1.0f, f, turns);
+    return sqrt(min(north, min(middle, south)));
 }
 
 // What the volumes hold. `unit` runs over one period, 0..1 each way; every octave wraps at its end.

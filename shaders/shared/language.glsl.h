@@ -11,6 +11,7 @@
 #define GLSL_BEGIN namespace luftpost::glsl { using namespace glm; using uint = unsigned int;
 #define GLSL_END }
 #define GLSL_FUNCTION inline
+#define GLSL_INLINE [[gnu::always_inline]] inline  // for loops over points that must become vector code
 #define GLSL_CONST inline constexpr
 #define OUT(T) T&
 #define INOUT(T) T&
@@ -18,6 +19,7 @@
 #define GLSL_BEGIN
 #define GLSL_END
 #define GLSL_FUNCTION
+#define GLSL_INLINE
 #define GLSL_CONST const
 #define OUT(T) out T
 #define INOUT(T) inout T

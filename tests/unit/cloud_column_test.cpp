@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <vector>
 
 #include "engine/weather/cloud_column.h"
 #include "engine/weather/cloud_depth.h"
@@ -57,6 +58,26 @@ TEST(CloudPattern, EveryRankIsAsLikelyAsAnyOther) {
             }
             for (int count : tenths) EXPECT_NEAR(count / 20000.0, 0.1, 0.015) << genusName(static_cast<Genus>(genus));
         }
+}
+
+TEST(CloudPattern, GivesTheSameBitsForOnePointAndForMany) {
+    // Many points are vector code where the processor has it; a single point is scalar code.
+    for (int genus = 0; genus < kGenera; ++genus)
+        for (PatternDetail detail : {PatternDetail::Whole, PatternDetail::Coarse})
+            for (unsigned pattern = 0; pattern < 6; ++pattern) {
+                Layer layer = weatherOf(static_cast<Genus>(genus), 0.5f, 500.0f, pattern).layers[0];
+                layer.phase = 0.7 * pattern;
+                LayerPattern const ranks{layer, 3, detail};
+                std::vector<double> east, north;
+                // Over the end of a period, so that cells wrap on both sides of it; 333 leaves a part of a
+                // block.
+                for (int i = 0; i < 333; ++i)
+                    east.push_back(i * 61.7 - 9000.0), north.push_back(i * 3.7 * i - 200000.0);
+                std::vector<float> many(east.size());
+                ranks.drifting(east, north, many);
+                for (std::size_t i = 0; i < east.size(); ++i)
+                    ASSERT_EQ(many[i], ranks.drifting(east[i], north[i])) << i;
+            }
 }
 
 TEST(CloudPattern, DriftsWithItsLayer) {

@@ -16,6 +16,18 @@ TEST(Noise, WrapsNegativeCellsIntoThePeriod) {
     }
 }
 
+TEST(Noise, WrapsLargeCellsExactly) {
+    for (int period : {1, 3, 127, 131, 2834, 4096, 5519, 1048573})
+        for (int turn = -1000; turn <= 1000; ++turn)
+            for (int step : {-1, 0, 1}) {
+                int const cell = turn * period + step;
+                if (std::abs(cell) >= 1 << 24 ||
+                    std::abs(static_cast<std::int64_t>(turn) * period) >= 1 << 24)
+                    continue;
+                EXPECT_EQ(g::wrapCell(cell, period), (step + period) % period) << cell << " in " << period;
+            }
+}
+
 TEST(Noise, HashesAreSpreadEvenly) {
     std::array<int, 16> bins{};
     for (int x = -200; x < 200; ++x)
