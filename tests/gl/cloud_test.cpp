@@ -1,4 +1,5 @@
 // Clouds on the GPU: the noise's twin, the block's layout, and pictures with the properties that skies have.
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/core/time.h"
@@ -50,17 +51,17 @@ TEST_F(CloudTest, BlockLiesInMemoryAsTheDriverSays) {
     EXPECT_EQ(program.uniformOffset("CloudBlock.step"), static_cast<int>(offsetof(glsl::CloudBlock, step)));
 }
 
-/// A picture without land: up into the sky at noon from 2 m over the place.
+/// A picture without land, at noon, from a height over the place, m.
 struct Shot {
-    explicit Shot(std::string const& weather, double elevation_deg)
+    explicit Shot(std::string const& weather, double elevation_deg, double azimuth_deg = 109.0, double height = 2.0)
         : field{weather::loadWeather(weather)}, renderer{{.size = {96, 54}}} {
         snapshot.field = &field;
         snapshot.place = field.place();
         snapshot.time = *core::parseUtc("2023-06-21T10:30Z");
         snapshot.still = true;
         snapshot.drawTerrain = false;
-        snapshot.camera.positionWorld = {0.0, snapshot.place.altitude_m + 2.0, 0.0};
-        glm::dvec3 const ahead = sky::directionWorld(1.9, core::radians(elevation_deg));
+        snapshot.camera.positionWorld = {0.0, snapshot.place.altitude_m + height, 0.0};
+        glm::dvec3 const ahead = sky::directionWorld(core::radians(azimuth_deg), core::radians(elevation_deg));
         snapshot.camera.worldFromCamera = glm::conjugate(glm::quat_cast(glm::lookAt(glm::dvec3{0.0}, ahead, glm::dvec3{0.0, 1.0, 0.0})));
         snapshot.weather = field.at(0.0, 0.0, snapshot.time);
         snapshot.sky = sky::skyState(snapshot.place, snapshot.time);
@@ -92,6 +93,28 @@ TEST_F(CloudTest, PicturesAreFiniteAndTheSameTwice) {
     EXPECT_GT(meanAlpha(first), 0.1);
     EXPECT_LT(meanAlpha(first), 0.9);
     EXPECT_EQ(first.values, shot.draw().values);
+}
+
+/// Luminances of what is wholly cloud, kcd/m2, sorted: the sun gives 133.8 klx above the air.
+std::vector<double> cloudLuminances(assets::FloatImage const& image) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < image.values.size(); i += 4) {
+        auto const v = [&](std::size_t k) { return static_cast<double>(image.values[i + k]); };
+        if (v(3) > 0.98) values.push_back(133.8 * (0.2126 * v(0) + 0.7152 * v(1) + 0.0722 * v(2)));
+    }
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+TEST_F(CloudTest, SunlitSidesAndBasesAreAsBrightAsReal) {
+    std::vector<double> const bases = cloudLuminances(Shot{"preset:fair", 65.0, 0.0}.draw());
+    ASSERT_GT(bases.size(), 300u);
+    EXPECT_GT(bases[bases.size() / 4], 3.0);
+    EXPECT_LT(bases[bases.size() / 4], 7.0);
+    std::vector<double> const tops = cloudLuminances(Shot{"preset:fair", -15.0, 340.0, 2900.0}.draw());
+    ASSERT_GT(tops.size(), 300u);
+    EXPECT_GT(tops[tops.size() * 9 / 10], 20.0);
+    EXPECT_LT(tops[tops.size() * 9 / 10], 30.0);
 }
 
 TEST_F(CloudTest, ASixteenthOfTheRaysComesToThePictureOfAll) {
