@@ -13,8 +13,10 @@ GLSL_CONST float kDarkestKey = 0.10f;
 /// a night that is shown as bright as day is no night.
 GLSL_FUNCTION float exposureFor(float mean) {
     float candela = max(mean * kSunLux, 1e-7f);
-    float key = max(1.03f - 2.0f / (2.0f + log(candela + 1.0f) / 2.30258509f), kDarkestKey);
-    return 0.40f * key * kSunLux / max(candela, kDarkestSeen);
+    float key = 1.03f - 2.0f / (2.0f + log(candela + 1.0f) / 2.30258509f);
+    // A day under storm clouds is to look darker than a sunlit one, by half a stop.
+    float gloom = pow(clamp(candela / 6000.0f, 0.02f, 1.0f), 0.15f);
+    return 0.40f * max(key * gloom, kDarkestKey) * kSunLux / max(candela, kDarkestSeen);
 }
 
 /// The histogram of the picture: 1/4 stop a bin, bin 0 for all that is darker.

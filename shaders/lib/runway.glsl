@@ -26,7 +26,7 @@ LandColour runwayColour(vec2 home, LandColour around, float footprint) {
     LandColour face = around;
     float mown = bar(at.x, -size.x - 60.0, size.x + 60.0, footprint) * bar(at.y, -size.y - 30.0, size.y + 30.0, footprint);
     float stripes = 0.5 + 0.5 * clamp(sin(at.y * 0.5236) * 6.0, -1.0, 1.0) * visibleShare(6.0, footprint);
-    face.albedo = mix(face.albedo, mix(vec3(0.150, 0.225, 0.075), vec3(0.175, 0.250, 0.085), stripes), mown);
+    face.albedo = mix(face.albedo, mix(vec3(0.132, 0.176, 0.066), vec3(0.152, 0.196, 0.076), stripes), mown);
     float asphalt = bar(at.x, -size.x, size.x, footprint) * bar(at.y, -size.y, size.y, footprint);
     float wear = exp(-pow(abs(abs(at.x) - size.x + 130.0) / 70.0, 2.0)) * exp(-at.y * at.y / 30.0);
     vec3 tar = vec3(0.105, 0.105, 0.110) * (1.0 - 0.45 * wear);

@@ -34,8 +34,8 @@ void main() {
     float depth = sqrt(max(1.0 - r2, 0.0));
     vec3 outward = normalize(normalize(right) * disc.x + normalize(above) * disc.y - normalize(middle) * depth);
     vec3 normal = normalize(outward + vec3(0.0, 0.35, 0.0) + 0.35 * vec3(leaves, finer, leaves - finer));
-    vec3 albedo = mix(mix(vec3(0.105, 0.165, 0.045), vec3(0.150, 0.180, 0.060), about.y), mix(vec3(0.055, 0.100, 0.045), vec3(0.075, 0.120, 0.055), about.y), conifer);
-    albedo *= 0.85 + 0.35 * leaves + 0.25 * finer;
+    vec3 albedo = mix(mix(vec3(0.092, 0.138, 0.044), vec3(0.130, 0.155, 0.056), about.y), mix(vec3(0.055, 0.100, 0.045), vec3(0.075, 0.120, 0.055), about.y), conifer);
+    albedo *= (0.85 + 0.35 * leaves + 0.25 * finer) * (1.0 - 0.25 * frame.weather.w);
     if (!crown) albedo = vec3(0.09, 0.07, 0.05);
     float hollow = mix(1.0, clamp(0.72 + 0.4 * across.y, 0.4, 1.0), about.w);  // little light comes down to the lower leaves
     float share = sunShare(offset, about.z) * hollow;
