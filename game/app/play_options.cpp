@@ -11,6 +11,7 @@
 #include "engine/platform/paths.h"
 #include "game/app/instruments.h"
 #include "game/app/player_files.h"
+#include "game/app/weather_source.h"
 #include "game/ui/input_csv.h"
 
 namespace luftpost::app {
@@ -87,23 +88,13 @@ FlightStart startOption(std::string const& text, double airfieldAltitude) {
 
 /// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
 void planWeather(FlightPlan& plan, CommonOptions const& common) {
-    plan.weather = common.weather.empty()
-                       ? "recorded:" + platform::dataFile(weather::kDefaultRecording).string()
-                       : common.weather;
-    std::optional<weather::PlaceWish> wish;
-    if (common.place) wish = {common.place->lat_deg, common.place->lon_deg, common.place->altitude_m};
-    weather::Field const field = weather::loadWeather(plan.weather, wish);
+    weather::Field const field = weatherField(common);
+    plan.weather = weatherSource(common);
     if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
         plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
-    core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
-    bool const preset = field.origin().mode == weather::SourceMode::Preset;
-    plan.simulation.time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
-    if (!preset && !field.covers(plan.simulation.time))
-        fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
-                   plan.weather, core::formatUtc(plan.simulation.time), core::formatUtc(field.start()),
-                   core::formatUtc(field.end()));
+    plan.simulation.time = startTime(common, field);
 }
 
 FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common) {
