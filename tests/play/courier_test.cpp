@@ -142,6 +142,14 @@ TEST(Save, IsBegunInAnEmptyFileAndRefusedByAFullDiskWithOneLine) {
     EXPECT_NE(full.err.find("/dev/full"), std::string::npos) << full.err;
 }
 
+TEST(Save, SurvivesAProgramThatIsKilled) {
+    std::string const save = (scratch() / "save.json").string();
+    std::string const endless = "timeout -s KILL 60 sh -c '" LUFTPOST_PROGRAM " " + kBot + "--seconds 1000000 --save \"" + save +
+                                "\" & p=$!; until grep -q deliveries \"" + save + "\" 2>/dev/null; do sleep 0.05; done; kill -9 $p'";
+    EXPECT_EQ(std::system(endless.c_str()), 0);
+    EXPECT_GE(nlohmann::json::parse(fileText(save))["deliveries"], 1);
+}
+
 TEST(Save, IsNeitherReadNorWrittenHeadlessUnlessNamed) {
     flight(kBot + "--seconds 5");
     EXPECT_FALSE(std::filesystem::exists(scratch() / "config"));
