@@ -45,11 +45,17 @@ void press(DeviceReading& reading, Command command) {
     reading.commands |= 1u << static_cast<unsigned>(command);
 }
 
+/// Held, or tapped between this frame and the last: no frame is so slow that it loses a drop.
+bool isDown(platform::Input const& input, Key key) {
+    auto const tapped = [key](platform::KeyEvent const& event) { return event.key == key && event.pressed; };
+    return input.isHeld(key) || std::any_of(input.keys.begin(), input.keys.end(), tapped);
+}
+
 void readFlightKeys(platform::Input const& input, InputSample& sample) {
     for (FlightBinding const& binding : kFlightKeys)
-        if (input.isHeld(binding.key)) sample.hold(binding.action);
-    bool const shift = input.isHeld(Key::leftShift) || input.isHeld(Key::rightShift);
-    if (input.isHeld(Key::f)) sample.hold(shift ? FlightKey::flapsUp : FlightKey::flapsDown);
+        if (isDown(input, binding.key)) sample.hold(binding.action);
+    bool const shift = isDown(input, Key::leftShift) || isDown(input, Key::rightShift);
+    if (isDown(input, Key::f)) sample.hold(shift ? FlightKey::flapsUp : FlightKey::flapsDown);
 }
 
 void readCommands(platform::Input const& input, bool wantsText, DeviceReading& reading) {
