@@ -83,7 +83,8 @@ void Game::takeEvents() {
         if (sounds_) sounds_->note(event);
         count(event);
         bool const parcelGone = event.event == FlightEvent::delivered || event.event == FlightEvent::lost;
-        if (parcelGone && cameras_.mode() == ui::CameraMode::parcel && settings_.view.camera != ui::CameraMode::parcel)
+        if (parcelGone && cameras_.mode() == ui::CameraMode::parcel &&
+            settings_.view.camera != ui::CameraMode::parcel)
             cameras_.select(ui::CameraMode::chase);
         if (event.event == FlightEvent::respawned)
             cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),

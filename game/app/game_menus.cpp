@@ -55,7 +55,8 @@ std::filesystem::path pictureFile() {
 
 void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
-    if (reading.pressed(Command::camera)) cameras_.next(session_->simulation().delivery().parcel().has_value());
+    if (reading.pressed(Command::camera))
+        cameras_.next(session_->simulation().delivery().parcel().has_value());
     if (reading.pressed(Command::pause)) paused_ = !paused_;
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;

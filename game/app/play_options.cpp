@@ -30,7 +30,8 @@ void checkOutputs(PlayTexts const& texts) {
         std::error_code ignored;
         auto const [other, fresh] = taken.emplace(std::filesystem::weakly_canonical(file, ignored), option);
         if (!fresh && !std::filesystem::is_other(file, ignored))
-            throw core::Error{file.string(), option, fmt::format("expected another file than that of {}", other->second)};
+            throw core::Error{file.string(), option,
+                              fmt::format("expected another file than that of {}", other->second)};
     };
     check("--log", texts.log);
     check("--report", texts.report);
@@ -39,7 +40,8 @@ void checkOutputs(PlayTexts const& texts) {
     check("--save-weather", texts.saveWeather);
     check("--save", texts.save);
     if (!texts.screenshot.empty() && texts.screenshot.extension() != ".png")
-        throw core::Error{"--screenshot", "", fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
+        throw core::Error{"--screenshot", "",
+                          fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
     if (!texts.save.empty()) namedCareer(texts.save);
 }
 
@@ -153,7 +155,8 @@ namespace {
 /// The file holds the flight: what would make it another one is refused.
 void refuseAnotherFlight(CommonOptions const& common) {
     auto const refuse = [](bool given, char const* option, std::string const& key = "") {
-        if (given) throw core::Error{option, key, "expected not with replay, whose file holds the whole flight"};
+        if (given)
+            throw core::Error{option, key, "expected not with replay, whose file holds the whole flight"};
     };
     refuse(!common.weather.empty(), "--weather");
     refuse(common.place.has_value(), "--place");

@@ -153,7 +153,9 @@ void Simulation::note(FlightEvent event, glm::dvec3 const& positionWorld, std::s
 }
 
 core::AirFunction Simulation::airAtAnyTime() const {
-    return [this](glm::dvec3 const& p, core::UtcSeconds t) { return world_.air().instant(t, settings_.clouds).at(p); };
+    return [this](glm::dvec3 const& p, core::UtcSeconds t) {
+        return world_.air().instant(t, settings_.clouds).at(p);
+    };
 }
 
 weather::AirInstant Simulation::airNow() const { return world_.air().instant(utc(), settings_.clouds); }
