@@ -28,7 +28,8 @@ void checkOutputs(PlayTexts const& texts) {
         if (file.empty()) return;
         core::checkOutputFolder(option, file);
         std::error_code ignored;
-        auto const [other, fresh] = taken.emplace(std::filesystem::weakly_canonical(file, ignored), option);
+        auto const whole = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored);
+        auto const [other, fresh] = taken.emplace(whole, option);
         if (!fresh && !std::filesystem::is_other(file, ignored))
             throw core::Error{file.string(), option,
                               fmt::format("expected another file than that of {}", other->second)};
