@@ -18,8 +18,9 @@ namespace luftpost::core {
 namespace {
 namespace fs = std::filesystem;
 
-/// How far the text is from the known word: four times the edit distance (Levenshtein) to the start of the word that
-/// fits it best, and one for each letter that the word goes on after it, so that "densty" is near "densityThreshold".
+/// How far the text is from the known word: four times the edit distance (Levenshtein) to the start of the
+/// word that fits it best, and one for each letter that the word goes on after it, so that "densty" is near
+/// "densityThreshold".
 std::size_t strangeness(std::string_view known, std::string_view text) {
     std::vector<std::size_t> row(known.size() + 1);  // to each start of the known word
     for (std::size_t j = 0; j <= known.size(); ++j) row[j] = j;

@@ -8,7 +8,6 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/platform/paths.h"
 #include "engine/terrain/land.h"
 #include "engine/weather/air.h"
 #include "engine/weather/noise_volume.h"
@@ -71,7 +70,7 @@ int runAir(AirTexts const& texts, CommonOptions const& common) {
     weather::Field const field = weatherField(common);
     core::UtcSeconds const start = startTime(common, field);
     unsigned const seed = common.seed.value_or(1);
-    weather::NoiseVolumes const noise = weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
+    weather::NoiseVolumes const noise = noiseVolumes();
     terrain::Land const land{seed, field.place().altitude_m};
     weather::Air const air{field, [&land](double east, double north) { return land.ground(east, north); }, seed, &noise};
     std::string text = fmt::format("{},{}\n", kColumns, kAdded);

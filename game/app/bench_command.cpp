@@ -8,7 +8,6 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
@@ -51,13 +50,6 @@ constexpr std::array<BenchScene, 6> kScenes{{
 
 double milliseconds(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
-}
-
-/// The value below which `share` of all lie; of few values the top one.
-double quantile(std::vector<double> values, double share) {
-    std::ranges::sort(values);
-    auto const index = static_cast<std::size_t>(share * static_cast<double>(values.size()));
-    return values[std::min(index, values.size() - 1)];
 }
 
 render::Snapshot snapshotOf(BenchScene const& scene, weather::Field const& field, CommonOptions const& common,
@@ -112,8 +104,8 @@ Json measured(render::Renderer& renderer, BenchScene const& scene, CommonOptions
     renderer.setTiming(false);
     Json result{{"name", scene.name}, {"passes", Json::object()}};
     for (auto const& [name, times] : passes)
-        result["passes"][name] = {{"p50", quantile(times, 0.5)}, {"p99", quantile(times, 0.99)}};
-    result["frame_ms"] = {{"p50", quantile(frames, 0.5)}, {"p99", quantile(frames, 0.99)}, {"p999", quantile(frames, 0.999)}};
+        result["passes"][name] = {{"p50", percentile(times, 0.5)}, {"p99", percentile(times, 0.99)}};
+    result["frame_ms"] = {{"p50", percentile(frames, 0.5)}, {"p99", percentile(frames, 0.99)}, {"p999", percentile(frames, 0.999)}};
     result["cloud_alpha"] = cloudAlpha(renderer);
     return result;
 }

@@ -82,6 +82,10 @@ void Game::takeEvents() {
         messages_.sayEvent(event, now);
         if (sounds_) sounds_->note(event);
         count(event);
+        bool const parcelGone = event.event == FlightEvent::delivered || event.event == FlightEvent::lost;
+        if (parcelGone && cameras_.mode() == ui::CameraMode::parcel &&
+            settings_.view.camera != ui::CameraMode::parcel)
+            cameras_.select(ui::CameraMode::chase);
         if (event.event == FlightEvent::respawned)
             cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                            groundHeight());
@@ -162,7 +166,7 @@ ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
     hud.visible = settings_.hud.visible;
-    hud.paused = paused();
+    hud.paused = paused_ && !pauseOpen_ && !keysOpen_;
     hud.score =
         static_cast<int>(std::lround(run_.save.empty() ? simulation.delivery().score() : career_.score));
     hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;

@@ -5,6 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/weather/recording.h"
 #include "game/app/game.h"
 
 namespace luftpost::app {
@@ -16,6 +17,15 @@ bool changesFlight(std::string const& key) {
     return core::findSetting(list, key) != nullptr;
 }
 
+/// What the recording calls itself; the file's name where it cannot be read.
+std::string nameOf(std::filesystem::path const& file) {
+    try {
+        return weather::readRecording(file.string()).name;
+    } catch (core::Error const&) {
+        return file.stem().string();
+    }
+}
+
 /// The weather that the menu offers: what is bundled, and the presets.
 std::vector<ui::MenuWeather::Source> offeredWeather() {
     std::vector<ui::MenuWeather::Source> sources;
@@ -23,8 +33,7 @@ std::vector<ui::MenuWeather::Source> offeredWeather() {
     auto const folder = std::filesystem::absolute(platform::dataFile("assets/weather"));
     for (auto const& entry : std::filesystem::directory_iterator{folder, ignored})
         if (entry.path().extension() == ".json")
-            sources.push_back(
-                {"recorded:" + entry.path().string(), entry.path().stem().string() + " (recorded)"});
+            sources.push_back({"recorded:" + entry.path().string(), nameOf(entry.path()) + " (recorded)"});
     std::sort(sources.begin(), sources.end(),
               [](auto const& a, auto const& b) { return a.source < b.source; });
     for (char const* preset : {"calm", "clear", "fair", "broken", "overcast", "storm"})
@@ -46,7 +55,8 @@ std::filesystem::path pictureFile() {
 
 void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
-    if (reading.pressed(Command::camera)) cameras_.next();
+    if (reading.pressed(Command::camera))
+        cameras_.next(session_->simulation().delivery().parcel().has_value());
     if (reading.pressed(Command::pause)) paused_ = !paused_;
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;

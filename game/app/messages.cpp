@@ -30,11 +30,13 @@ void Messages::sayEvent(FlightEventAt const& event, double seconds) {
 }
 
 std::vector<ui::HudMessage> Messages::at(double seconds) {
-    std::erase_if(lines_, [&](Line const& line) { return seconds - line.since > ui::kMessageSeconds; });
+    std::erase_if(lines_, [&](Line const& line) {  // a flight that began again is before them all
+        return seconds < line.since || seconds - line.since > ui::kMessageSeconds;
+    });
     std::vector<ui::HudMessage> messages;
     for (Line const& line : lines_) {
         messages.push_back(line.message);
-        messages.back().age = std::max(0.0, seconds - line.since);
+        messages.back().age = seconds - line.since;
     }
     return messages;
 }

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "engine/assets/image.h"
-#include "engine/platform/paths.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 void writePlan(weather::Field const& field, weather::PlanRequest const& request, std::filesystem::path const& file) {
@@ -12,7 +12,7 @@ void writePlan(weather::Field const& field, weather::PlanRequest const& request,
     int const workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 32u));
     weather::NoiseVolumes const noise =
         seed == static_cast<int>(weather::kNoiseSeed)
-            ? weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path())
+            ? noiseVolumes()
             : weather::makeNoise(static_cast<unsigned>(seed), workers);
     assets::FloatImage image{request.size.x, request.size.y, 1, weather::cloudPlan(field, request, noise, workers)};
     assets::writeExr(file, image);

@@ -59,6 +59,7 @@ FlightReport wholeReport(Session const& session, Settings settings, FlightReport
     report.glErrors = cost.glErrors;
     report.gpu_mb = cost.gpu_mb;
     report.rss_mb = residentMemory_mb();
+    settings.flight = session.simulation().settings();  // a replay's inputs change them, too
     report.changed = core::changedSettings(settingList(settings));
     return report;
 }

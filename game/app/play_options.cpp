@@ -11,6 +11,7 @@
 #include "engine/platform/paths.h"
 #include "game/app/instruments.h"
 #include "game/app/player_files.h"
+#include "game/app/weather_source.h"
 #include "game/ui/input_csv.h"
 
 namespace luftpost::app {
@@ -27,9 +28,11 @@ void checkOutputs(PlayTexts const& texts) {
         if (file.empty()) return;
         core::checkOutputFolder(option, file);
         std::error_code ignored;
-        auto const [other, fresh] = taken.emplace(std::filesystem::weakly_canonical(file, ignored), option);
+        auto const whole = std::filesystem::weakly_canonical(std::filesystem::absolute(file), ignored);
+        auto const [other, fresh] = taken.emplace(whole, option);
         if (!fresh && !std::filesystem::is_other(file, ignored))
-            throw core::Error{file.string(), option, fmt::format("expected another file than that of {}", other->second)};
+            throw core::Error{file.string(), option,
+                              fmt::format("expected another file than that of {}", other->second)};
     };
     check("--log", texts.log);
     check("--report", texts.report);
@@ -38,7 +41,8 @@ void checkOutputs(PlayTexts const& texts) {
     check("--save-weather", texts.saveWeather);
     check("--save", texts.save);
     if (!texts.screenshot.empty() && texts.screenshot.extension() != ".png")
-        throw core::Error{"--screenshot", "", fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
+        throw core::Error{"--screenshot", "",
+                          fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
     if (!texts.save.empty()) namedCareer(texts.save);
 }
 
@@ -87,23 +91,13 @@ FlightStart startOption(std::string const& text, double airfieldAltitude) {
 
 /// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
 void planWeather(FlightPlan& plan, CommonOptions const& common) {
-    plan.weather = common.weather.empty()
-                       ? "recorded:" + platform::dataFile(weather::kDefaultRecording).string()
-                       : common.weather;
-    std::optional<weather::PlaceWish> wish;
-    if (common.place) wish = {common.place->lat_deg, common.place->lon_deg, common.place->altitude_m};
-    weather::Field const field = weather::loadWeather(plan.weather, wish);
+    weather::Field const field = weatherField(common);
+    plan.weather = weatherSource(common);
     if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
         plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
-    core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
-    bool const preset = field.origin().mode == weather::SourceMode::Preset;
-    plan.simulation.time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
-    if (!preset && !field.covers(plan.simulation.time))
-        fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
-                   plan.weather, core::formatUtc(plan.simulation.time), core::formatUtc(field.start()),
-                   core::formatUtc(field.end()));
+    plan.simulation.time = startTime(common, field);
 }
 
 FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common) {
@@ -162,7 +156,8 @@ namespace {
 /// The file holds the flight: what would make it another one is refused.
 void refuseAnotherFlight(CommonOptions const& common) {
     auto const refuse = [](bool given, char const* option, std::string const& key = "") {
-        if (given) throw core::Error{option, key, "expected not with replay, whose file holds the whole flight"};
+        if (given)
+            throw core::Error{option, key, "expected not with replay, whose file holds the whole flight"};
     };
     refuse(!common.weather.empty(), "--weather");
     refuse(common.place.has_value(), "--place");

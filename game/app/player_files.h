@@ -40,7 +40,8 @@ private:
 /// Takes a parcel that came down into the career; false when the event was something else.
 bool countParcel(delivery::Career& career, Simulation const& simulation, FlightEventAt const& event);
 
-/// The career in a file that the command line names. A missing or empty file is a new career. Throws core::Error.
+/// The career in a file that the command line names. A missing or empty file is a new career. Throws
+/// core::Error.
 delivery::Career namedCareer(std::filesystem::path const& file);
 /// The player's career. A broken file is set aside as FILE.bad and said so.
 delivery::Career loadCareer(std::filesystem::path const& file);

@@ -8,10 +8,10 @@ namespace luftpost::app {
 namespace {
 using Json = nlohmann::ordered_json;
 constexpr char const* kFormat = "luftpost-replay-1";
-constexpr long long kMostTicks = 240'000'000;                     // of a million seconds
+constexpr long long kMostTicks = 240'000'000;                            // of a million seconds
 constexpr double kFirstUtc = -62167219200.0, kLastUtc = 253402300799.0;  // the years 0 to 9999
-constexpr double kHighestStart = 25000.0, kFastestStart = 150.0;  // m, m/s
-constexpr double kMostTurns = 13.0;                               // rad either way, as --start has it
+constexpr double kHighestStart = 25000.0, kFastestStart = 150.0;         // m, m/s
+constexpr double kMostTurns = 13.0;                                      // rad either way, as --start has it
 
 Json settingsJson(FlightSettings settings) {
     core::SettingList list;
@@ -66,7 +66,7 @@ Json inputJson(StampedInput const& input) {
     return json;
 }
 
-/// A part of the file, and where it is: "inputs.at(3).stick".
+/// A part of the file, and where it is: "inputs[3].stick".
 struct Part {
     Json const& json;
     std::string const& file;
@@ -89,8 +89,9 @@ struct Part {
         return json.get<double>();
     }
     long long whole(long long min, long long max) const {
-        bool const fits = json.is_number_unsigned() ? json.get<unsigned long long>() <= static_cast<unsigned long long>(max)
-                                                    : json.is_number_integer() && json.get<long long>() <= max;
+        bool const fits = json.is_number_unsigned()
+                              ? json.get<unsigned long long>() <= static_cast<unsigned long long>(max)
+                              : json.is_number_integer() && json.get<long long>() <= max;
         if (!fits || json.get<long long>() < min) refuse(fmt::format("a whole number {}..{}", min, max));
         return json.get<long long>();
     }
@@ -122,7 +123,8 @@ SettingInput settingFrom(std::string const& key, Part const& value) {
     appendFlightSettings(list, settings);
     core::Setting* const setting = core::findSetting(list, key);
     if (!setting)
-        throw core::Error{value.file, value.place, fmt::format("expected a setting of the flight, found {}", key)};
+        throw core::Error{value.file, value.place,
+                          fmt::format("expected a setting of the flight, found {}", key)};
     SettingInput const change{key, valueFrom(value)};
     core::assignSetting(*setting, fmt::format("{}: {}", value.file, value.place), change.value);
     return change;
@@ -130,7 +132,8 @@ SettingInput settingFrom(std::string const& key, Part const& value) {
 
 ui::InputSample sampleFrom(Part const& part) {
     ui::InputSample sample;
-    sample.keys = static_cast<unsigned>(part["keys"].whole(0, (1 << static_cast<unsigned>(ui::FlightKey::count)) - 1));
+    sample.keys =
+        static_cast<unsigned>(part["keys"].whole(0, (1 << static_cast<unsigned>(ui::FlightKey::count)) - 1));
     if (part.has("pad")) {
         Part const axes = part["pad"].list(5);
         auto const axis = [&](std::size_t i) { return static_cast<float>(axes.at(i).number(-2.0, 2.0)); };
@@ -139,7 +142,8 @@ ui::InputSample sampleFrom(Part const& part) {
     if (part.has("stick")) {
         Part const stick = part["stick"].list(6);
         auto const axis = [&](std::size_t i, double min) { return stick.at(i).number(min, 1.0); };
-        sample.direct = ui::DirectStick{{}, axis(1, -1.0), axis(2, -1.0), axis(3, -1.0), axis(4, 0.0), axis(5, 0.0)};
+        sample.direct =
+            ui::DirectStick{{}, axis(1, -1.0), axis(2, -1.0), axis(3, -1.0), axis(4, 0.0), axis(5, 0.0)};
         if (!stick.at(0).json.is_null()) sample.direct->throttle = axis(0, 0.0);
     }
     return sample;
@@ -157,7 +161,8 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     plan.weather = part["weather"].text();
     plan.weatherSha256 = part["weather_sha256"].text();
     Part const place = part["place"].list(3);
-    plan.place = {place.at(0).number(-90.0, 90.0), place.at(1).number(-180.0, 180.0), place.at(2).number(-500.0, 20000.0)};
+    plan.place = {place.at(0).number(-90.0, 90.0), place.at(1).number(-180.0, 180.0),
+                  place.at(2).number(-500.0, 20000.0)};
     SimulationOptions& s = plan.simulation;
     s.seed = static_cast<unsigned>(part["seed"].whole(0, 4294967295));
     s.time = part["utc"].number(kFirstUtc, kLastUtc);
@@ -200,7 +205,8 @@ Replay readReplay(std::filesystem::path const& file, flight::Airframe const& air
         throw core::Error{name, "format", fmt::format("expected a {} file", kFormat)};
     Part const whole{json, name, ""};
     Replay replay{planFrom(whole["plan"], airframe), whole["ticks"].whole(0, kMostTicks), {}};
-    Part const inputs = whole["inputs"].list(json["inputs"].size());
+    Part const inputs = whole["inputs"];
+    inputs.list(inputs.json.size());
     long long before = 0;
     for (std::size_t i = 0; i < inputs.json.size(); ++i) {
         before = inputs.at(i)["tick"].whole(before, kMostTicks);

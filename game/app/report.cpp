@@ -27,15 +27,7 @@ Json dropJson(delivery::Drop const& drop) {
     return json;
 }
 
-/// The share's value among the sorted ones, nearest rank; 0 of none.
-double percentile(std::vector<double> const& sorted, double share) {
-    if (sorted.empty()) return 0.0;
-    auto const rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-    return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
-
-Json timesJson(std::vector<double> times) {
-    std::sort(times.begin(), times.end());
+Json timesJson(std::vector<double> const& times) {
     return {
         {"p50", percentile(times, 0.5)}, {"p99", percentile(times, 0.99)}, {"max", percentile(times, 1.0)}};
 }
@@ -44,6 +36,13 @@ Json valueJson(core::SettingValue const& value) {
     return std::visit([](auto const& v) { return Json(v); }, value);
 }
 }  // namespace
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    auto const rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
+}
 
 double residentMemory_mb() {
     std::ifstream statm{"/proc/self/statm"};

@@ -25,6 +25,8 @@ struct FlightReport {
     std::map<std::string, core::SettingValue> changed;
 };
 
+/// The value below which the share of all lie (nearest rank); 0 of none.
+double percentile(std::vector<double> values, double share);
 /// The report as text.
 std::string reportText(FlightReport const& report);
 /// Resident memory of this process in MB (10^6 bytes); 0 where the system does not tell.

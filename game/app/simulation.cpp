@@ -55,9 +55,7 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
 }
 
 void Simulation::startFlight(SimulationOptions const& options) {
-    core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
-        return world_.air().instant(t, settings_.clouds).at(p);
-    };
+    core::AirFunction const air = airAtAnyTime();
     if (options.start.runway) {
         RunwayStart const start = runwayStart(world_, options.time);
         aircraft_.startOnRunway(start.eastNorth.x, start.eastNorth.y, start.heading, air, world_.ground(),
@@ -142,9 +140,7 @@ void Simulation::stepDelivery(core::AirFunction const& air) {
 }
 
 void Simulation::respawn() {
-    core::AirFunction const air = [this](glm::dvec3 const& p, core::UtcSeconds t) {
-        return world_.air().instant(t, settings_.clouds).at(p);
-    };
+    core::AirFunction const air = airAtAnyTime();
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
     stick_.setThrottle(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
@@ -154,6 +150,12 @@ void Simulation::respawn() {
 
 void Simulation::note(FlightEvent event, glm::dvec3 const& positionWorld, std::string text) {
     events_.push_back({event, positionWorld, std::move(text)});
+}
+
+core::AirFunction Simulation::airAtAnyTime() const {
+    return [this](glm::dvec3 const& p, core::UtcSeconds t) {
+        return world_.air().instant(t, settings_.clouds).at(p);
+    };
 }
 
 weather::AirInstant Simulation::airNow() const { return world_.air().instant(utc(), settings_.clouds); }

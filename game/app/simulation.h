@@ -70,6 +70,7 @@ public:
     std::string stateHash() const;
 
 private:
+    core::AirFunction airAtAnyTime() const;
     void startFlight(SimulationOptions const& options);
     void releaseParcel();
     void respawn();

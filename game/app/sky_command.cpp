@@ -19,6 +19,7 @@
 #include "engine/weather/field.h"
 #include "game/app/commands.h"
 #include "game/app/plan.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 namespace {
@@ -114,11 +115,11 @@ SkyRequest skyRequest(SkyTexts const& texts) {
 /// the eye.
 struct Scene {
     explicit Scene(CommonOptions const& common)
-        : field{weather::loadWeather(source(common), wish(common))},
+        : field{weather::loadWeather(weatherSource(common), groundWish(common))},
           seed{common.seed.value_or(kUsualSeed)},
           place{field.place()},
           land{seed, place.altitude_m},
-          start{startTime(common)} {
+          start{startTime(common, field)} {
         double const ground = land.ground(0.0, 0.0).height + kEyeHeight;
         eye = ground;
         if (common.place && common.place->altitude_m) eye = std::max(*common.place->altitude_m, ground);
@@ -127,24 +128,10 @@ struct Scene {
                               fmt::format("expected an eye no higher than {} m, found {}", kHighestEye, eye)};
     }
 
-    static std::string source(CommonOptions const& common) {
-        if (!common.weather.empty()) return common.weather;
-        return "recorded:" + platform::dataFile(weather::kDefaultRecording).string();
-    }
-    static std::optional<weather::PlaceWish> wish(CommonOptions const& common) {
-        if (!common.place) return std::nullopt;
-        return weather::PlaceWish{common.place->lat_deg, common.place->lon_deg, std::nullopt};
-    }
-    core::UtcSeconds startTime(CommonOptions const& common) const {
-        core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
-        bool const preset = field.origin().mode == weather::SourceMode::Preset;
-        core::UtcSeconds const time =
-            common.time.value_or(preset || field.covers(usual) ? usual : field.start());
-        if (!preset && !field.covers(time))
-            fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
-                       source(common), core::formatUtc(time), core::formatUtc(field.start()),
-                       core::formatUtc(field.end()));
-        return time;
+    static std::optional<weather::PlaceWish> groundWish(CommonOptions const& common) {
+        auto wish = placeWish(common);
+        if (wish) wish->altitude_m.reset();
+        return wish;
     }
 
     weather::Field field;

@@ -7,10 +7,9 @@
 #include "engine/assets/image.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
-#include "engine/platform/paths.h"
 #include "engine/terrain/land.h"
-#include "engine/weather/field.h"
 #include "game/app/commands.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 namespace {
@@ -18,16 +17,6 @@ struct TerrainTexts {
     std::string extent;
     std::filesystem::path output;
 };
-
-/// The altitude of the home airfield: that of --place, else the nearest site's.
-double baseAltitude(CommonOptions const& common) {
-    if (common.place && common.place->altitude_m) return *common.place->altitude_m;
-    std::string const source =
-        common.weather.empty() ? "recorded:" + platform::dataFile(weather::kDefaultRecording).string() : common.weather;
-    std::optional<weather::PlaceWish> wish;
-    if (common.place) wish = weather::PlaceWish{common.place->lat_deg, common.place->lon_deg, std::nullopt};
-    return weather::loadWeather(source, wish).place().altitude_m;
-}
 
 /// Heights in metres of a square `extent` metres wide around the origin, at each pixel's centre, first row north: what
 /// wheels meet, so a lake's face where there is a lake.
@@ -50,7 +39,7 @@ int runTerrain(TerrainTexts const& texts, CommonOptions const& common) {
     if (texts.output.extension() != ".exr")
         throw core::Error{"-o", "", "expected FILE.exr, found " + texts.output.string()};
     core::checkOutputFolder("-o", texts.output);
-    terrain::Land const land{common.seed.value_or(1u), baseAltitude(common)};
+    terrain::Land const land{common.seed.value_or(1u), weatherField(common).place().altitude_m};
     assets::writeExr(texts.output, heightPicture(land, extent, common.size));
     return 0;
 }

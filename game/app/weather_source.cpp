@@ -1,5 +1,7 @@
 #include "game/app/weather_source.h"
 
+#include <fmt/format.h>
+
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
 
@@ -15,10 +17,19 @@ std::string weatherSource(CommonOptions const& common) {
 }
 
 core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& field) {
-    if (common.time) return *common.time;
     core::UtcSeconds const usual = *core::parseUtc(weather::kDefaultTime);
-    return field.covers(usual) ? usual : field.start();
+    bool const preset = field.origin().mode == weather::SourceMode::Preset;
+    core::UtcSeconds const time = common.time.value_or(preset || field.covers(usual) ? usual : field.start());
+    if (!preset && !field.covers(time))
+        fmt::print("{}: the time {} lies outside the recording ({} to {}); its nearest end holds\n",
+                   weatherSource(common), core::formatUtc(time), core::formatUtc(field.start()),
+                   core::formatUtc(field.end()));
+    return time;
 }
 
 weather::Field weatherField(CommonOptions const& common) { return weather::loadWeather(weatherSource(common), placeWish(common)); }
+
+weather::NoiseVolumes noiseVolumes() {
+    return weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
+}
 }  // namespace luftpost::app

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/weather/field.h"
+#include "engine/weather/noise_volume.h"
 #include "game/app/commands.h"
 
 namespace luftpost::app {
@@ -10,8 +11,11 @@ namespace luftpost::app {
 std::optional<weather::PlaceWish> placeWish(CommonOptions const& common);
 /// --weather, else the bundled recording.
 std::string weatherSource(CommonOptions const& common);
-/// --time, else the default hour where the weather is the bundled recording, else the recording's first report.
+/// --time, else the default hour where the weather has it, else the recording's first report. A time outside the
+/// recording is said so on standard output.
 core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& field);
 /// The field of the common options. Throws core::Error.
 weather::Field weatherField(CommonOptions const& common);
+/// What the build made. Throws core::Error where a file is missing or broken.
+weather::NoiseVolumes noiseVolumes();
 }  // namespace luftpost::app

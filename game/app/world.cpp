@@ -1,14 +1,14 @@
 #include "game/app/world.h"
 
 #include "engine/core/check.h"
-#include "engine/platform/paths.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 World::World(std::string const& source, core::Place const& place, unsigned seed)
     : place_{place}, land_{seed, place.altitude_m}, ground_{[this](double east, double north) {
           return land_.ground(east, north);
       }},
-      noise_{weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path())} {
+      noise_{noiseVolumes()} {
     loadWeather(source);
     useWeather(source);
 }

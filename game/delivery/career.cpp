@@ -23,8 +23,7 @@ std::string careerText(Career const& career) {
                                       {"deliveries", career.deliveries},
                                       {"parcels_lost", career.parcelsLost},
                                       {"score", career.score},
-                                      {"best_distance_m", career.bestDistance_m},
-                                      {"flown_s", career.flownSeconds}};
+                                      {"best_distance_m", career.bestDistance_m}};
     return json.dump(2) + "\n";
 }
 
@@ -38,7 +37,6 @@ Career parseCareer(std::string_view text, std::string const& file) {
     read(json, "parcels_lost", career.parcelsLost, 0.0, file);
     read(json, "score", career.score, 0.0, file);
     read(json, "best_distance_m", career.bestDistance_m, -1.0, file);
-    read(json, "flown_s", career.flownSeconds, 0.0, file);
     return career;
 }
 }  // namespace luftpost::delivery

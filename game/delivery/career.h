@@ -10,7 +10,6 @@ struct Career {
     int parcelsLost = 0;
     double score = 0.0;
     double bestDistance_m = -1.0;  // of a delivery from the centre; -1: none yet
-    double flownSeconds = 0.0;
     bool operator==(Career const&) const = default;
 };
 

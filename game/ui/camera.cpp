@@ -42,9 +42,11 @@ glm::dvec3 chaseOffset(CameraSubject const& subject, double distance) {
 }
 }  // namespace
 
-void Cameras::next() {
-    select(mode_ == CameraMode::chase ? CameraMode::cockpit
+void Cameras::next(bool parcelFalls) {
+    CameraMode const afterFree = parcelFalls ? CameraMode::parcel : CameraMode::chase;
+    select(mode_ == CameraMode::chase     ? CameraMode::cockpit
            : mode_ == CameraMode::cockpit ? CameraMode::free
+           : mode_ == CameraMode::free    ? afterFree
                                           : CameraMode::chase);
 }
 

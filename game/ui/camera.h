@@ -35,8 +35,9 @@ using GroundHeight = std::function<double(double east, double north)>;
 class Cameras {
 public:
     CameraMode mode() const { return mode_; }
-    /// chase -> cockpit -> free -> chase. The free camera starts where the picture is.
-    void next();
+    /// chase -> cockpit -> free -> chase, with the parcel's after free while one falls. The free camera starts where the
+    /// picture is.
+    void next(bool parcelFalls = false);
     void select(CameraMode mode);
     /// Horizontal, radians; chase and free. The cockpit sees a little wider.
     void setFieldOfView(double angle) { fieldOfView_ = angle; }

@@ -45,11 +45,17 @@ void press(DeviceReading& reading, Command command) {
     reading.commands |= 1u << static_cast<unsigned>(command);
 }
 
+/// Held, or tapped between this frame and the last: no frame is so slow that it loses a drop.
+bool isDown(platform::Input const& input, Key key) {
+    auto const tapped = [key](platform::KeyEvent const& event) { return event.key == key && event.pressed; };
+    return input.isHeld(key) || std::any_of(input.keys.begin(), input.keys.end(), tapped);
+}
+
 void readFlightKeys(platform::Input const& input, InputSample& sample) {
     for (FlightBinding const& binding : kFlightKeys)
-        if (input.isHeld(binding.key)) sample.hold(binding.action);
-    bool const shift = input.isHeld(Key::leftShift) || input.isHeld(Key::rightShift);
-    if (input.isHeld(Key::f)) sample.hold(shift ? FlightKey::flapsUp : FlightKey::flapsDown);
+        if (isDown(input, binding.key)) sample.hold(binding.action);
+    bool const shift = isDown(input, Key::leftShift) || isDown(input, Key::rightShift);
+    if (isDown(input, Key::f)) sample.hold(shift ? FlightKey::flapsUp : FlightKey::flapsDown);
 }
 
 void readCommands(platform::Input const& input, bool wantsText, DeviceReading& reading) {
@@ -132,16 +138,17 @@ std::vector<KeyHelp> keyHelp() {
     auto const k = [](Key key) { return platform::keyLabel(key); };
     return {
         {"Flight", k(Key::w) + " " + k(Key::s), "RT LT", "thrust more, less"},
-        {"Flight", k(Key::a) + " " + k(Key::d) + ", " + k(Key::left) + " " + k(Key::right), "left stick",
+        {"Flight", k(Key::a) + " " + k(Key::d) + " " + k(Key::left) + " " + k(Key::right), "left stick",
          "roll"},
         {"Flight", k(Key::down) + " " + k(Key::up), "left stick", "nose up, down"},
         {"Flight", k(Key::q) + " " + k(Key::e), "LB RB", "yaw"},
         {"Flight", k(Key::space), "A", "drop the parcel"},
-        {"Flight", k(Key::f) + ", Shift " + k(Key::f), "X, Y", "flaps down, up"},
+        {"Flight", k(Key::f) + " Shift+" + k(Key::f), "X, Y", "flaps down, up"},
         {"Flight", k(Key::b), "B", "brakes"},
-        {"Flight", k(Key::r) + " held", "left stick pressed", "start again in the air here"},
+        {"Flight", k(Key::r) + " held", "left stick down", "start again in the air here"},
         {"View", k(Key::c), "Back", "camera: chase, cockpit, free"},
-        {"View", "right mouse button", "right stick", "look around"},
+        {"View", "", "", "and the parcel's, while it falls"},
+        {"View", "right mouse", "right stick", "look around"},
         {"View",
          k(Key::i) + " " + k(Key::j) + " " + k(Key::k) + " " + k(Key::l) + " " + k(Key::u) + " " + k(Key::o),
          "", "move the free camera"},
@@ -152,6 +159,6 @@ std::vector<KeyHelp> keyHelp() {
         {"Game", k(Key::p), "", "pause"},
         {"Game", k(Key::f1), "D-pad up", "settings"},
         {"Game", k(Key::h), "D-pad down", "this page"},
-        {"Game", k(Key::escape), "Start", "close the topmost page, else the menu"}};
+        {"Game", k(Key::escape), "Start", "close a page, else the menu"}};
 }
 }  // namespace luftpost::ui

@@ -245,6 +245,14 @@ void drawStall(Pen const& pen, HudState const& state) {
     drawText(pen.list, pen.f.large, at - glm::vec2{0.0f, 0.5f * pen.f.large.size_px}, kPaper, "STALL", 0.5f);
 }
 
+void drawPaused(Pen const& pen, HudState const& state) {
+    if (!state.paused) return;
+    glm::vec2 const at{0.5f * pen.size.x, 0.40f * pen.size.y};
+    glm::vec2 const half = pen.px(78, 22);
+    pen.plate(at - half, at + half);
+    drawText(pen.list, pen.f.large, at - glm::vec2{0.0f, 0.5f * pen.f.large.size_px}, kYellow, "PAUSED", 0.5f);
+}
+
 void drawPrompts(Pen const& pen, HudState const& state) {
     if (state.prompts.empty()) return;
     float const row = 28.0f * pen.s;
@@ -368,6 +376,7 @@ void drawHud(HudState const& state) {
     drawPrompts(pen, state);
     drawNavBar(pen, state);
     drawStall(pen, state);
+    drawPaused(pen, state);
     drawMessages(pen, state);
 }
 }  // namespace luftpost::ui

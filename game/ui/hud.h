@@ -63,7 +63,7 @@ struct HudState {
     double fuelCapacity_kg = 100.0;
     bool stalled = false;
     bool onGround = false;
-    bool paused = false;
+    bool paused = false;              // and no page says so already
 
     std::optional<HudTarget> target;
     bool parcelReady = true;

@@ -24,12 +24,17 @@ float unit() { return fonts().scale; }
 
 std::string_view groupOf(std::string_view key) { return key.substr(0, key.find('.')); }
 
-/// Pages in this order, others after them under their own name.
+/// Pages in this order, others after them under their own name. A page shows one group of settings or two.
 struct Page {
-    std::string_view group, title;
+    std::string_view title, group, second;
+
+    bool shows(Setting const& setting) const {
+        std::string_view const of = groupOf(setting.key);
+        return of == group || (!second.empty() && of == second);
+    }
 };
-constexpr std::array<Page, 6> kPages{{{"aircraft", "Aircraft"}, {"clouds", "Clouds"}, {"graphics", "Picture"}, {"sound", "Sound"},
-                                      {"hud", "HUD"}, {"controls", "Controls"}}};
+constexpr std::array<Page, 6> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
+                                      {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}}};
 
 std::string capitalised(std::string_view text) {
     std::string result{text};
@@ -62,6 +67,8 @@ std::string labelOf(std::string_view key) {
         if (std::isupper(static_cast<unsigned char>(c))) label += ' ', c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         label += c == '_' || c == '.' ? ' ' : c;
     }
+    bool const initials = label.size() <= 2;  // "hg" is a name's
+    if (initials) std::transform(label.begin(), label.end(), label.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return capitalised(label);
 }
 
@@ -165,10 +172,8 @@ void drawSetting(Setting const& setting, ConfigAnswer& answer) {
     ImGui::PopID();
 }
 
-void resetGroup(core::SettingList const& settings, std::string_view group, ConfigAnswer& answer) {
-    for (Setting const& setting : settings)
-        if ((group.empty() || groupOf(setting.key) == group) && setting.get() != setting.initial)
-            answer.changes.push_back({std::string{setting.key}, setting.initial});
+void reset(Setting const& setting, ConfigAnswer& answer) {
+    if (setting.get() != setting.initial) answer.changes.push_back({std::string{setting.key}, setting.initial});
 }
 
 bool beginPage(char const* title) {
@@ -178,19 +183,22 @@ bool beginPage(char const* title) {
     return open;
 }
 
-void drawPage(core::SettingList const& settings, std::string_view group, std::string const& title, ConfigAnswer& answer) {
-    bool const any = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) { return groupOf(s.key) == group; });
+void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer& answer) {
+    bool const any = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) { return page.shows(s); });
+    std::string const title{page.title};
     if (!any || !beginPage(title.c_str())) return;
     float const foot = ImGui::GetFrameHeightWithSpacing() + 12.0f * unit();
     ImGui::BeginChild("rows", {0.0f, -foot}, false);
     ImGui::Dummy({0.0f, 2.0f * unit()});
     for (Setting const& setting : settings)
-        if (groupOf(setting.key) == group) drawSetting(setting, answer);
+        if (page.shows(setting)) drawSetting(setting, answer);
     ImGui::EndChild();
     ImGui::Separator();
-    if (ImGui::Button(fmt::format("Reset {}", title).c_str())) resetGroup(settings, group, answer);
+    bool const resetPage = ImGui::Button(fmt::format("Reset {}", title).c_str());
     ImGui::SameLine();
-    if (ImGui::Button("Reset everything")) resetGroup(settings, {}, answer);
+    bool const resetAll = ImGui::Button("Reset everything");
+    for (Setting const& setting : settings)
+        if (resetAll || (resetPage && page.shows(setting))) reset(setting, answer);
     ImGui::EndTabItem();
 }
 
@@ -240,17 +248,20 @@ void drawWeatherPage(MenuWeather const& weather, ConfigAnswer& answer) {
 }
 
 void drawPages(core::SettingList const& settings, MenuWeather const& weather, ConfigAnswer& answer) {
-    drawPage(settings, "aircraft", "Aircraft", answer);
+    drawPage(settings, kPages[0], answer);
     drawWeatherPage(weather, answer);
     for (Page const& page : kPages)
-        if (page.group != "aircraft") drawPage(settings, page.group, std::string{page.title}, answer);
+        if (&page != &kPages[0]) drawPage(settings, page, answer);
     std::vector<std::string_view> others;
     for (Setting const& setting : settings) {
+        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); });
         std::string_view const group = groupOf(setting.key);
-        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.group == group; });
         if (!known && std::find(others.begin(), others.end(), group) == others.end()) others.push_back(group);
     }
-    for (std::string_view group : others) drawPage(settings, group, capitalised(group), answer);
+    for (std::string_view group : others) {
+        std::string const title = capitalised(group);
+        drawPage(settings, {title, group, ""}, answer);
+    }
 }
 
 /// Darkens the picture behind a menu that stops the flight.
@@ -290,20 +301,35 @@ void drawKeyRow(KeyHelp const& row) {
     ImGui::TableSetColumnIndex(2);
     ImGui::TextDisabled("%s", row.gamepad.c_str());
 }
+
+void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", group.c_str());
+    if (!ImGui::BeginTable(group.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.30f);
+    ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.44f);
+    ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthStretch, 0.26f);
+    for (KeyHelp const& row : rows)
+        if (row.group == group) drawKeyRow(row);
+    ImGui::EndTable();
+    ImGui::Dummy({0.0f, 4.0f * unit()});
+}
 }  // namespace
 
 ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather) {
     ConfigAnswer answer;
     ImVec2 const size = ImGui::GetIO().DisplaySize;
-    float const width = std::min(446.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
+    float const width = std::min(506.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
     ImGui::SetNextWindowPos({size.x - 14.0f * unit(), top}, ImGuiCond_Appearing, {1.0f, 0.0f});
     ImGui::SetNextWindowSize({width, size.y - top - 150.0f * unit()}, ImGuiCond_Appearing);
     bool open = true;
     if (ImGui::Begin("Settings", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+        ImGuiStyle& style = ImGui::GetStyle();
+        ImVec2 const between = std::exchange(style.ItemInnerSpacing, ImVec2{2.0f * unit(), style.ItemInnerSpacing.y});
         if (ImGui::BeginTabBar("pages", ImGuiTabBarFlags_FittingPolicyScroll)) {
             drawPages(settings, weather, answer);
             ImGui::EndTabBar();
         }
+        style.ItemInnerSpacing = between;
     }
     ImGui::End();
     answer.close = !open;
@@ -324,27 +350,18 @@ PauseChoice drawPauseMenu() {
 
 bool drawKeysPage(std::span<KeyHelp const> rows) {
     drawVeil();
-    float const height = std::min(ImGui::GetIO().DisplaySize.y - 40.0f * unit(), (250.0f + 33.0f * static_cast<float>(rows.size())) * unit());
-    beginCentred("keys", 640.0f * unit(), height);
+    std::vector<std::string> groups;
+    for (KeyHelp const& row : rows)
+        if (groups.empty() || groups.back() != row.group) groups.push_back(row.group);
+    beginCentred("keys", std::min(1080.0f * unit(), ImGui::GetIO().DisplaySize.x), 0.0f);
     drawTitle("Keys", "Keys are named after their place; the letters are those of your keyboard.");
-    ImGui::BeginChild("rows", {0.0f, -50.0f * unit()}, false);
-    std::string group;
-    bool open = false;
-    for (KeyHelp const& row : rows) {
-        if (row.group != group || !open) {
-            if (open) ImGui::EndTable();
-            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", row.group.c_str());
-            open = ImGui::BeginTable(row.group.c_str(), 3, ImGuiTableFlags_SizingStretchProp);
-            if (!open) break;
-            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.27f);
-            ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.40f);
-            ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthStretch, 0.33f);
-            group = row.group;
-        }
-        drawKeyRow(row);
+    // The first group on the left, the others beside it, so that all is seen at once.
+    ImGui::Columns(2, "groups", false);
+    for (std::string const& group : groups) {
+        drawKeyGroup(group, rows);
+        if (group == groups.front()) ImGui::NextColumn();
     }
-    if (open) ImGui::EndTable();
-    ImGui::EndChild();
+    ImGui::Columns(1);
     bool const close = ImGui::Button("Close", {-1.0f, 36.0f * unit()});
     ImGui::End();
     return close;

@@ -2,11 +2,14 @@
 #include "game/ui/hud.h"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "game/app/settings.h"
+#include "game/ui/devices.h"
 #include "game/ui/hud_geometry.h"
 #include "game/ui/menu.h"
 #include "game/ui/screen_frame.h"
@@ -76,6 +79,15 @@ TEST(Hud, IsLegibleOverSnowAndAtNightAt720LinesAndIn4K) {
             for (Box const& box : boxes)  // WCAG's AAA for text is 7
                 EXPECT_GT(contrast(picture, box.from, box.to), 7.0f) << box.what << " over " << ground << " at " << size.y;
         }
+}
+
+TEST(Hud, SaysThatTheFlightIsPaused) {
+    ui::HudState paused = flying();
+    paused.paused = true;
+    for (float ground : {1.0f, 0.0f}) {
+        Picture picture = drawn(paused, {1280, 720}, glm::vec3{ground});
+        EXPECT_GT(contrast(picture, {572, 272}, {708, 304}), 7.0f) << "over " << ground;
+    }
 }
 
 TEST(Hud, LeavesTheMiddleOfThePictureAndTheTargetFree) {
@@ -156,6 +168,38 @@ ui::ConfigAnswer frameOfMenu(ui::ScreenFrame& frame, core::SettingList const& li
     ui::ConfigAnswer answer = ui::drawConfigMenu(list, {{{"preset:fair", "Fair"}}, "preset:fair", 1687545600.0, 0.0, 0.0});
     frame.end();
     return answer;
+}
+
+TEST(ConfigMenu, ShowsThatAllItsPagesAreThere) {
+    app::Settings settings;
+    core::SettingList const list = app::settingList(settings);
+    for (glm::ivec2 const size : {glm::ivec2{960, 540}, glm::ivec2{1280, 720}, glm::ivec2{1024, 768}}) {
+        ui::ScreenFrame frame;
+        for (int i = 0; i < 3; ++i) {
+            frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
+            ui::drawConfigMenu(list, {{{"preset:fair", "Fair"}}, "preset:fair", 1687545600.0, 0.0, 0.0});
+            frame.end();
+        }
+        ImGuiTabBar const& tabs = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);
+        EXPECT_EQ(tabs.Tabs.Size, 7) << "aircraft, weather, clouds, picture, view, sound, controls";
+        EXPECT_LE(tabs.WidthAllTabsIdeal, tabs.BarRect.GetWidth()) << "no tab behind the arrows at " << size.x;
+    }
+}
+
+TEST(KeysPage, IsSeenWhole) {
+    for (glm::ivec2 const size : {glm::ivec2{960, 540}, glm::ivec2{1280, 720}}) {
+        ui::ScreenFrame frame;
+        for (int i = 0; i < 3; ++i) {
+            frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
+            ui::drawKeysPage(ui::keyHelp());
+            frame.end();
+        }
+        ImGuiWindow const* page = ImGui::FindWindowByName("keys");
+        ASSERT_TRUE(page);
+        for (ImGuiWindow const* part : ImGui::GetCurrentContext()->Windows) EXPECT_EQ(part->ScrollMax.y, 0.0f) << part->Name;
+        EXPECT_GE(page->Pos.y, 0.0f);
+        EXPECT_LE(page->Pos.y + page->Size.y, static_cast<float>(size.y));
+    }
 }
 
 TEST(ConfigMenu, ChangesASettingByDraggingAndTakesItBackByItsButton) {

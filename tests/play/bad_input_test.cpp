@@ -66,6 +66,7 @@ TEST(BadInput, IsFoundInEveryOption) {
 TEST(BadInput, IsAnOptionThatContradictsAnother) {
     std::string const file = (scratch() / "one").string();
     expectRefused(kFly + "--log '" + file + "' --report '" + file + "'", {"--report", file.c_str(), "--log"});
+    expectRefused(kFly + "--log one.csv --report ./one.csv", {"--report", "--log"});
     expectRefused("weather preset:fair --weather preset:storm", {"--weather", "preset:fair"});
     expectRefused("sky --plan 5 --exposure 1 -o x.exr", {"--plan", "--exposure"});
     for (char const* other : {"--weather preset:calm", "--place 1,2", "--time 2023-06-23T18:40Z", "--seed 2"})

@@ -67,13 +67,15 @@ TEST(Replay, IsTheFlightAgainAtAnyFrameRate) {
 
 TEST(Replay, FindsItsRecordingFromAnyFolder) {
     auto const folder = scratch();
-    std::filesystem::copy_file(std::filesystem::path{LUFTPOST_SOURCE_DIR} / "assets/weather/melbourne_2024-01-16.json",
-                               folder / "here.json", std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(
+        std::filesystem::path{LUFTPOST_SOURCE_DIR} / "assets/weather/melbourne_2024-01-16.json",
+        folder / "here.json", std::filesystem::copy_options::overwrite_existing);
     auto const from = std::filesystem::current_path();
     std::filesystem::current_path(folder);
     auto const flown = flight(kBot + "--seconds 3 --weather recorded:here.json --save-replay flight.replay");
     std::filesystem::current_path(from);
-    EXPECT_EQ(flight("replay '" + (folder / "flight.replay").string() + "'")["state_hash"], flown["state_hash"]);
+    EXPECT_EQ(flight("replay '" + (folder / "flight.replay").string() + "'")["state_hash"],
+              flown["state_hash"]);
 }
 
 TEST(InputFile, FliesTheAircraftAndDropsTheParcel) {
@@ -142,6 +144,15 @@ TEST(Save, IsBegunInAnEmptyFileAndRefusedByAFullDiskWithOneLine) {
     EXPECT_EQ(full.code, 2);
     EXPECT_EQ(full.complaints(), 1) << full.err;
     EXPECT_NE(full.err.find("/dev/full"), std::string::npos) << full.err;
+}
+
+TEST(Save, SurvivesAProgramThatIsKilled) {
+    std::string const save = (scratch() / "save.json").string();
+    std::string const endless =
+        "timeout -s KILL 60 sh -c '" LUFTPOST_PROGRAM " " + kBot + "--seconds 1000000 --save \"" + save +
+        "\" & p=$!; until grep -q deliveries \"" + save + "\" 2>/dev/null; do sleep 0.05; done; kill -9 $p'";
+    EXPECT_EQ(std::system(endless.c_str()), 0);
+    EXPECT_GE(nlohmann::json::parse(fileText(save))["deliveries"], 1);
 }
 
 TEST(Save, IsNeitherReadNorWrittenHeadlessUnlessNamed) {

@@ -98,5 +98,10 @@ TEST(Cameras, GoRoundChaseCockpitFree) {
     EXPECT_EQ(cameras.mode(), CameraMode::free);
     cameras.next();
     EXPECT_EQ(cameras.mode(), CameraMode::chase);
+    cameras.select(CameraMode::free);
+    cameras.next(true);
+    EXPECT_EQ(cameras.mode(), CameraMode::parcel) << "while a parcel falls";
+    cameras.next(true);
+    EXPECT_EQ(cameras.mode(), CameraMode::chase);
 }
 }  // namespace

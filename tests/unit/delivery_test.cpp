@@ -165,7 +165,7 @@ TEST(Delivery, HasOneParcelAtATime) {
 }
 
 TEST(Career, RoundTripsAndRefusesWhatIsNotASave) {
-    Career const career{42, 7, 3, 512.25, 3.5, 3600.0};
+    Career const career{42, 7, 3, 512.25, 3.5};
     EXPECT_EQ(parseCareer(careerText(career), "save.json"), career);
     for (char const* bad : {"", "[]", "{}", "{\"format\":\"luftpost-save-1\",\"score\":\"many\"}",
                             "{\"format\":\"luftpost-save-1\",\"deliveries\":-1}"})

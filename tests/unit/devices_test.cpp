@@ -57,6 +57,18 @@ struct Pilot {
 
 unsigned bit(Command command) { return 1u << static_cast<unsigned>(command); }
 
+TEST(Keys, ThatAreTappedWithinOneFrameAct) {
+    Pilot pilot;
+    for (Key key : {Key::space, Key::leftShift, Key::f}) {
+        pilot.input.keys.push_back({.key = key, .pressed = true});
+        pilot.input.keys.push_back({.key = key, .pressed = false});
+    }
+    InputSample const sample = pilot.read().flight;
+    EXPECT_TRUE(sample.held(FlightKey::drop));
+    EXPECT_TRUE(sample.held(FlightKey::flapsUp));
+    EXPECT_EQ(pilot.read().flight.keys, 0u) << "and no longer";
+}
+
 TEST(Keys, WAndSMoveTheLeverThroughItsTravelInTwoSeconds) {
     Pilot pilot;
     EXPECT_NEAR(pilot.hold(Key::w).fly(1.0).throttle, 0.5, 1.0e-9);
