@@ -76,6 +76,32 @@ vec3 driftedAt(float y) {
     return vec3(0.0);
 }
 
+/// The old picture between its pixels by the Catmull-Rom spline (nine bilinear taps), which does not blur from frame to
+/// frame as bilinear alone does; never beyond what the four pixels around hold.
+vec4 oldBetween(vec2 uv) {
+    vec2 size = frame.viewport.xy;
+    vec2 place = uv * size;
+    vec2 centre = floor(place - 0.5) + 0.5;
+    vec2 f = place - centre;
+    vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f));
+    vec2 w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
+    vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f));
+    vec2 w3 = f * f * (-0.5 + 0.5 * f);
+    vec2 w12 = w1 + w2;
+    vec2 at[3] = vec2[3]((centre - 1.0) / size, (centre + w2 / w12) / size, (centre + 2.0) / size);
+    vec2 weight[3] = vec2[3](w0, w12, w3);
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < 9; ++k)
+        sum += weight[k % 3].x * weight[k / 3].y * textureLod(oldLight, vec2(at[k % 3].x, at[k / 3].y), 0.0);
+    vec4 low = vec4(1e9), high = vec4(-1e9);
+    for (int k = 0; k < 4; ++k) {
+        vec4 texel = texelFetch(oldLight, clamp(ivec2(centre) + ivec2(k & 1, k >> 1), ivec2(0), ivec2(size) - 1), 0);
+        low = min(low, texel);
+        high = max(high, texel);
+    }
+    return clamp(sum, low, high);
+}
+
 /// What the pixel's cloud looked like a frame ago and how many pixels it has moved since; gives its age, below 0 where
 /// nothing can be known.
 float oldAge(vec2 centre, float land, float distance, out vec4 light, out float moved) {
@@ -93,7 +119,7 @@ float oldAge(vec2 centre, float land, float distance, out vec4 light, out float 
     float oldLand = facts.y > 0.0 ? 1.0 / facts.y : 1.0e9;
     if (!sameLand(land, oldLand)) return -1.0;
     moved = length(uv * frame.viewport.xy - centre);
-    light = textureLod(oldLight, uv, 0.0);
+    light = oldBetween(uv);
     light.rgb *= exposureRatio;
     return facts.z;
 }

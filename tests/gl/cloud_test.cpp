@@ -7,6 +7,7 @@
 #include "engine/gl/program_library.h"
 #include "engine/gl/texture.h"
 #include "engine/render/renderer.h"
+#include "engine/sky/light.h"
 #include "engine/weather/field.h"
 #include "engine/weather/noise_volume.h"
 #include "shaders/shared/cloud.glsl.h"
@@ -95,12 +96,12 @@ TEST_F(CloudTest, PicturesAreFiniteAndTheSameTwice) {
     EXPECT_EQ(first.values, shot.draw().values);
 }
 
-/// Luminances of what is wholly cloud, kcd/m2, sorted: the sun gives 133.8 klx above the air.
+/// Luminances of what is wholly cloud, kcd/m2, sorted.
 std::vector<double> cloudLuminances(assets::FloatImage const& image) {
     std::vector<double> values;
     for (std::size_t i = 0; i < image.values.size(); i += 4) {
         auto const v = [&](std::size_t k) { return static_cast<double>(image.values[i + k]); };
-        if (v(3) > 0.98) values.push_back(133.8 * (0.2126 * v(0) + 0.7152 * v(1) + 0.0722 * v(2)));
+        if (v(3) > 0.98) values.push_back(1e-3 * sky::kSunIlluminance_lx * (0.2126 * v(0) + 0.7152 * v(1) + 0.0722 * v(2)));
     }
     std::sort(values.begin(), values.end());
     return values;
