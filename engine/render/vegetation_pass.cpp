@@ -11,6 +11,7 @@ namespace {
 using terrain::kTreeTile;
 constexpr double kReach = 1500.0;       // m: farther trees are smaller than what the canopy's colour shows
 constexpr int kTilesPerFrame = 6;       // a third of a millisecond each: not worth handing to a worker
+constexpr std::size_t kObjectBytes = 4096;  // about what a driver keeps for a buffer and its array besides the trees
 constexpr std::array<gl::Attribute, 2> kAttributes{gl::Attribute{0, 4, gl::AttributeType::float32, 0},
                                                    gl::Attribute{1, 2, gl::AttributeType::float32, 16}};
 
@@ -51,7 +52,7 @@ VegetationPass::Tile const* VegetationPass::tile(terrain::Land const& land, terr
         made.trees = gl::Buffer{gl::bytesOfRange(trees), "trees"};
         made.array = gl::VertexArray{{{&made.trees, sizeof(terrain::Tree), kAttributes, 1}}, nullptr, gl::IndexType::none, "trees"};
     }
-    tiles_.insert(key, std::move(made), trees.size() * sizeof(terrain::Tree) + 256);
+    tiles_.insert(key, std::move(made), trees.size() * sizeof(terrain::Tree) + kObjectBytes);
     return tiles_.find(key);
 }
 

@@ -24,6 +24,6 @@ private:
     gl::Program const& program_;
     unsigned seed_ = 0;
     double base_ = 0.0;
-    core::LruCache<terrain::TreeTileKey, Tile, terrain::TreeTileHash> tiles_{12u << 20};
+    core::LruCache<terrain::TreeTileKey, Tile, terrain::TreeTileHash> tiles_{6u << 20};  // woods all round take 4.5 MB
 };
 }  // namespace luftpost::render

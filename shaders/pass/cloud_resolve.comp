@@ -8,7 +8,7 @@ layout(binding = 0) uniform sampler2D depthTarget;
 layout(binding = 1) uniform sampler2D marchedLight;     // radiance * preExposure, transmittance; one of 4 x 4
 layout(binding = 2) uniform sampler2D marchedDistance;  // m, of the cloud and of the land behind
 layout(binding = 3) uniform sampler2D oldLight;
-layout(binding = 4) uniform sampler2D oldFacts;         // 1 / distance, 1 / land (0: sky), age in frames
+layout(binding = 4) uniform sampler2D oldFacts;         // 1 / distance, 1 / land (0: sky), age in frames, sureness
 layout(binding = 0, rgba16f) uniform writeonly image2D newLight;
 layout(binding = 1, rgba16f) uniform writeonly image2D newFacts;
 uniform float historyValid;   // 0: there is none
@@ -27,13 +27,14 @@ struct Neighbours {
     vec4 low, high;  // bounds
     float distance;
     float weight;    // 0: none sees the same background
+    float sureness;  // how near the nearest of them is: 1 on it, falling with the distance in pixels
 };
 
 /// The nine rays around the pixel that see the same background, weighted by nearness.
 Neighbours neighboursOf(ivec2 pixel, float land) {
     ivec2 size = textureSize(marchedLight, 0);
     ivec2 block = pixel / 4;
-    Neighbours n = Neighbours(vec4(0.0), vec4(1e9), vec4(-1e9), 0.0, 0.0);
+    Neighbours n = Neighbours(vec4(0.0), vec4(1e9), vec4(-1e9), 0.0, 0.0, 0.0);
     float distances = 0.0;
     for (int k = 0; k < 9; ++k) {
         ivec2 place = clamp(block + ivec2(k % 3 - 1, k / 3 - 1), ivec2(0), size - 1);
@@ -42,7 +43,8 @@ Neighbours neighboursOf(ivec2 pixel, float land) {
         bool before = light.a < 0.02 && facts.x < land;
         if (!before && !sameLand(land, facts.y)) continue;
         vec2 apart = vec2(marchedPixel(place) - pixel);
-        float weight = exp(-dot(apart, apart) * 0.14);
+        float weight = exp(-dot(apart, apart) * 0.3);
+        n.sureness = max(n.sureness, weight);
         n.light += weight * light;
         n.low = min(n.low, light);
         n.high = max(n.high, light);
@@ -102,26 +104,26 @@ vec4 oldBetween(vec2 uv) {
     return clamp(sum, low, high);
 }
 
-/// What the pixel's cloud looked like a frame ago and how many pixels it has moved since; gives its age, below 0 where
-/// nothing can be known.
-float oldAge(vec2 centre, float land, float distance, out vec4 light, out float moved) {
+/// What the pixel's cloud looked like a frame ago and how many pixels it has moved since; gives its age (below 0
+/// where nothing can be known) and its sureness.
+vec2 oldAge(vec2 centre, float land, float distance, out vec4 light, out float moved) {
     light = vec4(0.0);
     moved = 1.0;
-    if (historyValid < 0.5) return -1.0;
+    if (historyValid < 0.5) return vec2(-1.0);
     vec3 here = rayDirection(centre) * distance;
     here -= driftedAt(here.y + frame.cameraWorld.y);
     vec4 clip = frame.previousClipFromWorld * vec4(here, 1.0);
-    if (clip.w <= 0.0) return -1.0;
+    if (clip.w <= 0.0) return vec2(-1.0);
     vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
-    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return -1.0;
+    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return vec2(-1.0);
     ivec2 texel = clamp(ivec2(uv * frame.viewport.xy), ivec2(0), ivec2(frame.viewport.xy) - 1);
-    vec3 facts = texelFetch(oldFacts, texel, 0).rgb;
+    vec4 facts = texelFetch(oldFacts, texel, 0);
     float oldLand = facts.y > 0.0 ? 1.0 / facts.y : 1.0e9;
-    if (!sameLand(land, oldLand)) return -1.0;
+    if (!sameLand(land, oldLand)) return vec2(-1.0);
     moved = length(uv * frame.viewport.xy - centre);
     light = oldBetween(uv);
     light.rgb *= exposureRatio;
-    return facts.z;
+    return facts.zw;
 }
 
 void main() {
@@ -135,7 +137,9 @@ void main() {
     if (around.weight <= 0.0) light = nearestRay(pixel, distance);
     vec4 old;
     float moved;
-    float age = oldAge(centre, land, distance, old, moved);
+    vec2 known = oldAge(centre, land, distance, old, moved);
+    float age = known.x;
+    float sureness = around.sureness;
     bool fresh = marchedPixel(pixel / 4) == pixel;
     if (age >= 0.0) {
         // What has not moved was seen by its own ray and may differ from its neighbours; what has moved was put there by a
@@ -145,11 +149,13 @@ void main() {
         vec4 kept = around.weight > 0.0 ? clamp(old, around.low - slack, around.high + slack) : old;
         bool clipped = any(greaterThan(abs(kept - old), 0.25 * slack + 1e-4));
         age = clipped ? 0.5 * age : age;
-        if (fresh) light = mix(kept, texelFetch(marchedLight, pixel / 4, 0), max(1.0 / (age / 16.0 + 1.0), 0.35));
-        else light = kept;
+        known.y *= 1.0 - 0.03 * min(moved, 1.0);
+        if (fresh) light = mix(kept, texelFetch(marchedLight, pixel / 4, 0), max(1.0 - 0.65 * known.y, 1.0 / (age / 16.0 + 1.0)));
+        else light = mix(kept, light, sureness > known.y ? sureness / (sureness + known.y) : 0.0);
+        sureness = max(sureness, known.y);
     } else if (fresh) {
         light = texelFetch(marchedLight, pixel / 4, 0);
     }
     imageStore(newLight, pixel, max(light, vec4(0.0)));
-    imageStore(newFacts, pixel, vec4(1.0 / max(distance, 1.0), land > kSky ? 0.0 : 1.0 / land, min(age + 1.0, 200.0), 0.0));
+    imageStore(newFacts, pixel, vec4(1.0 / max(distance, 1.0), land > kSky ? 0.0 : 1.0 / land, min(age + 1.0, 200.0), fresh ? 1.0 : sureness));
 }
