@@ -18,10 +18,11 @@ GLSL_FUNCTION float toneChannel(float x) {
 /// Exposed linear Rec. 709 -> display-linear 0..1. Before the curve each channel lends a little to the others, so that
 /// bright colours go to white by way of paler shades of themselves. Channels curved alone turn orange to yellow, the curve
 /// of the luminance alone keeps hues but burns: a third of it keeps a low sun's orange. After it pale colours are made
-/// stronger, as cameras do: a clear sky is bluer in every photograph than its luminances say.
+/// stronger, as cameras do: a clear sky is bluer in every photograph than its luminances say. Pale warm ones are made weaker: an
+/// eye takes a low sun's light half for white.
 GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
     float mean = (exposed.x + exposed.y + exposed.z) / 3.0f;
-    vec3 lent = mix(exposed, vec3(mean), vec3(0.07f));
+    vec3 lent = mix(exposed, vec3(mean), vec3(0.08f));
     vec3 alone = vec3(toneChannel(lent.x), toneChannel(lent.y), toneChannel(lent.z));
     float luminance = max(0.2126f * lent.x + 0.7152f * lent.y + 0.0722f * lent.z, 1e-9f);
     vec3 together = min(lent * (toneChannel(luminance) / luminance), vec3(1.0f));
@@ -29,8 +30,10 @@ GLSL_FUNCTION vec3 toneMapped(vec3 exposed) {
     float most = max(curved.x, max(curved.y, curved.z));
     float least = min(curved.x, min(curved.y, curved.z));
     float pale = most > 0.0f ? least / most : 1.0f;
+    float warm = most > 0.0f ? clamp(1.5f * (curved.x - curved.z) / most, 0.0f, 1.0f) : 0.0f;
     float curvedMean = (curved.x + curved.y + curved.z) / 3.0f;
-    return clamp(mix(curved, vec3(curvedMean), vec3(-0.3f * smoothstep(0.0f, 0.35f, pale))), vec3(0.0f), vec3(1.0f));
+    float stronger = mix(0.3f, -0.12f, warm) * smoothstep(0.0f, 0.35f, pale);
+    return clamp(mix(curved, vec3(curvedMean), vec3(-stronger)), vec3(0.0f), vec3(1.0f));
 }
 
 /// What the eye makes of a radiance in the dark: `candela`: cd/m2 of 1 in `light`. Below 3 cd/m2 rods take over from cones,
