@@ -9,7 +9,8 @@ namespace {
 // Ci, Cc, Cs, Ac, As, Ns, Sc, St, Cu, Cb, fog. Fog is in the visibility already.
 constexpr std::array<double, weather::kGenera> kBeamTaken{0.2, 0.2, 0.35, 0.75, 0.85, 1.0, 0.92, 0.97, 0.9, 1.0, 0.0};
 
-// Share of the clear day's light under a sky closed by them: Kasten and Czeplak 1980, table 3, Cb set below their Ns.
+// Share of the clear day's light under a sky closed by them. Kasten and Czeplak 1980 give a quarter in the mean of all; how
+// it differs by genus is set here about that mean, thin and high ones above it, Ns and Cb below.
 constexpr std::array<double, weather::kGenera> kLeft{0.61, 0.61, 0.61, 0.27, 0.27, 0.16, 0.25, 0.18, 0.25, 0.12, 0.25};
 constexpr double kDarkRain = 3.5;  // mm/h: the water of such a rain halves what its cloud leaves (about its square root)
 
@@ -60,9 +61,11 @@ sky::AirConditions airConditions(Snapshot const& snapshot) {
         conditions.fogDepth = std::max(conditions.cloudBase - conditions.groundAltitude, conditions.fogDepth);
     conditions.cover = coverAbove(snapshot.weather, snapshot.camera.positionWorld.y);
     // Where it rains there is cloud overhead, whatever share of the land has some.
-    double const rain = std::clamp(snapshot.weather.precipitationRate / 2.0, 0.0, 1.0);
-    if (snapshot.weather.precipitation != weather::Precipitation::None && conditions.cover > 0.0)
-        conditions.cover = std::lerp(conditions.cover, std::max(conditions.cover, 0.99), rain * std::clamp((conditions.cloudBase + 500.0 - snapshot.camera.positionWorld.y) / 500.0, 0.0, 1.0));
+    if (snapshot.weather.precipitation != weather::Precipitation::None && conditions.cover > 0.0) {
+        double const rain = std::clamp(snapshot.weather.precipitationRate / 2.0, 0.0, 1.0);
+        double const below = std::clamp((conditions.cloudBase + 500.0 - snapshot.camera.positionWorld.y) / 500.0, 0.0, 1.0);
+        conditions.cover = std::lerp(conditions.cover, std::max(conditions.cover, 0.99), rain * below);
+    }
     conditions.closedShare = closedShare(snapshot.weather);
     return conditions;
 }

@@ -58,7 +58,8 @@ float coreWater(Layer const& layer, Weather const& weather) {
     double const rate = weather.precipitation == Precipitation::None ? 0.0 : weather.precipitationRate;
     double const thickening = precipitates(layer.genus) ? 1.0 + 0.15 * std::min(rate, 8.0) : 1.0;
     double const thickness = static_cast<double>(std::max(layer.top - layer.base, 20.0f));
-    double const seen = formOf(layer.genus).sheet ? 0.0 : kSeenDepth / (static_cast<double>(extinctionOfWater(layer.genus)) * thickness);
+    double const opacity = static_cast<double>(extinctionOfWater(layer.genus));
+    double const seen = formOf(layer.genus).sheet ? 0.0 : kSeenDepth / (opacity * thickness);
     return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
 }
 

@@ -128,7 +128,8 @@ GLSL_FUNCTION float roundedMin(float a, float b, float round) {
     return min(a, b) - 0.25f * round * h * h;
 }
 
-// What the fine noise takes from the faces, 0..1: wisps at the base, billows above; a quarter of it four times finer.
+// What the fine noise takes from the faces, 0..1: wisps at the base, billows above, as `share` of the height goes from 0
+// to a fifth; a quarter of it is four times finer.
 GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sampler3D detail, float lod) {
     vec3 turned = (q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - share)) * s.detail.w;
     vec4 fine = textureLod(detail, turned, lod);

@@ -115,7 +115,7 @@ LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
     return there;
 }
 
-/// Radiance per optical depth at a sample.
+/// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float first) {
     vec3 toward = there.toward;
     vec3 beam = there.beam;
@@ -302,7 +302,8 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
             float kept = exp(-here.extinction * length);
             float weight = ray.through * (1.0 - kept);
             if (middle > there.asked + 2000.0 + 0.1 * middle) there = lightThere(p, direction, middle, key);
-            ray.light += weight * lightAt(p, there, here, cosine, lod, clamp(max(0.5 * length, 1.5 * middle * frame.projection.w), 18.0, 240.0));
+            float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w), 18.0, 240.0);
+            ray.light += weight * lightAt(p, there, here, cosine, lod, first);
             ray.distance += weight * middle;
             weights += weight;
             ray.through *= kept;
