@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shaders/lib/exposure.glsl"
 
 namespace luftpost::sky {
 namespace {

@@ -4,10 +4,11 @@
 
 #include "engine/sky/atmosphere.h"
 #include "engine/sky/sky_state.h"
+#include "shaders/lib/exposure.glsl"
 
 namespace luftpost::sky {
 /// 1 of our irradiance in lux: the sun's illuminance above the air.
-inline constexpr double kSunIlluminance_lx = 128.0e3;
+inline constexpr double kSunIlluminance_lx = static_cast<double>(glsl::kSunLux);
 
 /// Irradiances, scene-linear Rec. 709, the sun's above the air being 1.
 struct SkyLight {
