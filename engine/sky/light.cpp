@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace luftpost::sky {
 namespace {
 constexpr double kFullMoon_lx = 0.267;
