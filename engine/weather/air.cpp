@@ -19,8 +19,6 @@
 namespace luftpost::weather {
 namespace {
 constexpr double kGasConstant = 287.05287;    // J/(kg K), dry air (ISO 2533)
-constexpr double kLapse = 0.0065;             // K/m
-constexpr double kTropopause = 11000.0;       // m
 constexpr double kGroundStep = 64.0;          // m, lattice of the ground as the wind feels it
 constexpr double kRankStep = 32.0;            // m, lattice of the patterns' ranks
 constexpr double kSlotsPerHour = 60.0;        // a pattern's slow change is followed minute by minute
@@ -33,20 +31,6 @@ constexpr double kBoil = 0.4;                 // m/s: gusts change with time eve
 double smooth(double low, double high, double x) {
     double const u = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return u * u * (3.0 - 2.0 * u);
-}
-
-struct Thermo {
-    double temperature, pressure;
-};
-
-/// The standard atmosphere's lapse from the temperature and pressure reduced to sea level; isothermal above 11 km (ISO 2533).
-Thermo thermoAt(double temperatureSea, double pressureSea, double altitude) {
-    static double const exponent = core::kGravity / (kGasConstant * kLapse);
-    double const below = std::min(altitude, kTropopause);
-    double const temperature = temperatureSea - kLapse * below;
-    double pressure = pressureSea * core::pow(std::max(temperature, 100.0) / temperatureSea, exponent);
-    if (altitude > kTropopause) pressure *= core::exp(-core::kGravity * (altitude - kTropopause) / (kGasConstant * temperature));
-    return {temperature, pressure};
 }
 }  // namespace
 
@@ -119,11 +103,9 @@ struct AirInstant::Now {
     core::UtcSeconds time = 0.0;
     CloudSettings settings;
     FieldInstant field;
-    std::vector<Profile> profiles;
     glm::dvec2 drift{0.0};     // of the boundary layer
     double rise = 0.0;         // m, of the turbulence's frame
     double heating = 0.0;      // 0..1
-    bool uniform = true;
     CloudsNow clouds;          // where the field is uniform
 };
 
@@ -149,12 +131,10 @@ AirInstant Air::instant(core::UtcSeconds time, CloudSettings const& settings) co
     now->time = time;
     now->settings = settings;
     now->field = field.instant(time);
-    for (std::size_t i = 0; i < field.sites(); ++i) now->profiles.push_back(field.profile(i, time));
     now->drift = field.boundaryDrift(time);
     now->rise = (time - field.start()) * kBoil;
     now->heating = smooth(0.05, 0.65, sunHeight(field.place().lat_deg, field.place().lon_deg, time));
-    now->uniform = field.uniform();
-    if (now->uniform) now->clouds = cloudsOf(now->field.at(0.0, 0.0), data_->seed, settings, data_->noise != nullptr);
+    if (now->field.uniform()) now->clouds = cloudsOf(now->field.at(0.0, 0.0), data_->seed, settings, data_->noise != nullptr);
     return AirInstant{data_, std::move(now)};
 }
 
@@ -211,32 +191,15 @@ Gustiness gustinessOf(double gust, double speed, double height, double heating, 
 }
 }  // namespace
 
-AirInstant::MeanAir AirInstant::meanAir(double east, double north, double altitude, double ground) const {
-    Now const& now = *now_;
-    MeanAir mean;
-    for (std::size_t i = 0; i < now.profiles.size(); ++i) {
-        Profile const& profile = now.profiles[i];
-        double const w = now.uniform ? 1.0 : data_->field->siteWeight(i, east, north);
-        mean.wind += w * windAt(profile, altitude, ground);
-        mean.windSurface += w * profile.windSurface;
-        mean.gust += w * profile.gust;
-        mean.temperatureSea += w * (profile.temperature + kLapse * profile.elevation);
-        mean.pressureSea += w * profile.pressureSea;
-        mean.logVisibility += w * profile.logVisibility;
-    }
-    return mean;
-}
-
 core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     Now const& now = *now_;
     double const east = positionWorld.x, north = -positionWorld.z, altitude = positionWorld.y;
     double const ground = data_->groundAt(east, north);
     double const height = std::max(altitude - ground, 0.0);
-    MeanAir const mean = meanAir(east, north, ground + height, ground);
-    Thermo const thermo = thermoAt(mean.temperatureSea, mean.pressureSea, altitude);
+    MeanAir const mean = now.field.meanAir(east, north, ground + height, ground);
 
     std::optional<CloudsNow> own;  // where the sites differ, so do the clouds from point to point
-    if (!now.uniform) own = cloudsOf(now.field.at(east, north), data_->seed, now.settings, data_->noise != nullptr);
+    if (!now.field.uniform()) own = cloudsOf(now.field.at(east, north), data_->seed, now.settings, data_->noise != nullptr);
     CloudsNow const& clouds = own ? *own : now.clouds;
     UnderCloud under;
     under.altitude = altitude;
@@ -244,7 +207,7 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     under.heating = now.heating;
     under.rain = clouds.weather.precipitationRate;
     double const scale = static_cast<double>(now.settings.weatherScale);
-    CloudEffect const cloud = cloudEffect(clouds, under, thermo.temperature, glm::vec3{positionWorld}, data_->noise,
+    CloudEffect const cloud = cloudEffect(clouds, under, mean.temperature, glm::vec3{positionWorld}, data_->noise,
                                           [&](Layer const& layer) { return data_->rankAt(layer, scale, east, north); });
 
     Gustiness const gustiness = gustinessOf(mean.gust, glm::length(mean.windSurface), height, now.heating, cloud.variance);
@@ -254,9 +217,9 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     core::AirSample sample;
     sample.windWorld = {mean.wind.x + gust.x, offGround * (gust.y + cloud.lift), -(mean.wind.y + gust.z)};
     sample.turbulence = offGround * gustiness.sigmaVertical;
-    sample.temperature = thermo.temperature;
-    sample.pressure = thermo.pressure;
-    sample.density = thermo.pressure / (kGasConstant * thermo.temperature);
+    sample.temperature = mean.temperature;
+    sample.pressure = mean.pressure;
+    sample.density = mean.pressure / (kGasConstant * mean.temperature);
     sample.visibility = 3.0 / (hazeExtinction(core::exp(mean.logVisibility), height) + cloud.extinction);
     sample.icing = cloud.icing;
     return sample;

@@ -40,12 +40,6 @@ public:
 private:
     friend class Air;
     struct Now;
-    /// The sites' mean air at a point, blended.
-    struct MeanAir {
-        glm::dvec2 wind{0.0}, windSurface{0.0};
-        double gust = 0.0, temperatureSea = 0.0, pressureSea = 0.0, logVisibility = 0.0;
-    };
-    MeanAir meanAir(double east, double north, double altitude, double ground) const;
     AirInstant(std::shared_ptr<Air::Data const> data, std::shared_ptr<Now const> now);
     std::shared_ptr<Air::Data const> data_;
     std::shared_ptr<Now const> now_;

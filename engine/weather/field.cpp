@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/frames.h"
 #include "engine/core/math.h"
 #include "engine/core/time.h"
 #include "engine/weather/field_data.h"
@@ -15,6 +16,24 @@ namespace luftpost::weather {
 namespace {
 constexpr double kNearest = 1000.0;    // m: a site's weight grows no further within
 constexpr double kLeastCover = 0.004;  // less is no layer
+
+constexpr double kGasConstant = 287.05287;  // J/(kg K), dry air (ISO 2533)
+constexpr double kLapse = 0.0065;           // K/m
+constexpr double kTropopause = 11000.0;     // m
+
+struct Thermo {
+    double temperature, pressure;
+};
+
+/// The standard atmosphere's lapse from the temperature and pressure reduced to sea level; isothermal above 11 km (ISO 2533).
+Thermo thermoAt(double temperatureSea, double pressureSea, double altitude) {
+    static double const exponent = core::kGravity / (kGasConstant * kLapse);
+    double const below = std::min(altitude, kTropopause);
+    double const temperature = temperatureSea - kLapse * below;
+    double pressure = pressureSea * core::pow(std::max(temperature, 100.0) / temperatureSea, exponent);
+    if (altitude > kTropopause) pressure *= core::exp(-core::kGravity * (altitude - kTropopause) / (kGasConstant * temperature));
+    return {temperature, pressure};
+}
 
 /// A site's weight, before they are made to sum to 1.
 double nearness(double east, double north) { return 1.0 / (east * east + north * north + kNearest * kNearest); }
@@ -125,7 +144,7 @@ Weather FieldInstant::at(double east, double north) const {
         weather.freezingLevel += w * own.freezingLevel;
         weather.snowDepth += w * own.snowDepth;
         weather.precipitationRate += rain;
-        logVisibility += w * sites_[i].logVisibility;
+        logVisibility += w * sites_[i].profile.logVisibility;
         if (rain > wettest) weather.precipitation = own.precipitation;
         if (w > nearest) weather.thunder = own.thunder;
         wettest = std::max(wettest, rain);
@@ -141,6 +160,28 @@ Weather FieldInstant::at(double east, double north) const {
     return weather;
 }
 
+MeanAir FieldInstant::meanAir(double east, double north, double altitude, double ground) const {
+    double sum = 0.0;
+    for (SiteNow const& site : sites_) sum += nearness(east - site.east, north - site.north);
+    MeanAir mean;
+    mean.gust = mean.logVisibility = 0.0;
+    double temperatureSea = 0.0, pressureSea = 0.0;
+    for (SiteNow const& site : sites_) {
+        Profile const& profile = site.profile;
+        double const w = uniform() ? 1.0 : nearness(east - site.east, north - site.north) / sum;
+        mean.wind += w * windAt(profile, altitude, ground);
+        mean.windSurface += w * profile.windSurface;
+        mean.gust += w * profile.gust;
+        mean.logVisibility += w * profile.logVisibility;
+        temperatureSea += w * (profile.temperature + kLapse * profile.elevation);
+        pressureSea += w * profile.pressureSea;
+    }
+    auto const [temperature, pressure] = thermoAt(temperatureSea, pressureSea, altitude);
+    mean.temperature = temperature;
+    mean.pressure = pressure;
+    return mean;
+}
+
 Field::Field(std::unique_ptr<Data const> data) : data_{std::move(data)} {}
 Field::~Field() = default;
 Field::Field(Field&&) noexcept = default;
@@ -151,7 +192,7 @@ FieldInstant Field::instant(core::UtcSeconds time) const {
     FieldInstant now;
     now.time_ = time;
     for (std::size_t i = 0; i < d.sites.size(); ++i) 
-        now.sites_.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.sites[i].logVisibility.at(time)});
+        now.sites_.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.profile(i, time)});
     for (std::size_t t = 0; t < d.tracks.size(); ++t) {
         FieldInstant::TrackNow track;
         bool any = false;
@@ -189,8 +230,6 @@ Origin const& Field::origin() const { return data_->origin; }
 Recording const& Field::recording() const { return data_->recording; }
 std::vector<std::vector<FieldReport>> const& Field::reports() const { return data_->reports; }
 std::size_t Field::sites() const { return data_->sites.size(); }
-Profile Field::profile(std::size_t site, core::UtcSeconds time) const { return data_->profile(site, time); }
-double Field::siteWeight(std::size_t site, double east, double north) const { return data_->weight(site, east, north); }
 std::vector<unsigned> Field::patterns() const {
     std::vector<unsigned> patterns;
     for (FieldTrack const& track : data_->tracks) patterns.push_back(track.pattern);
@@ -199,9 +238,7 @@ std::vector<unsigned> Field::patterns() const {
 glm::dvec2 Field::boundaryDrift(core::UtcSeconds time) const { return data_->boundary.integralTo(time) - data_->boundaryAtStart; }
 
 glm::dvec2 Field::windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const {
-    glm::dvec2 wind{0.0};
-    for (std::size_t i = 0; i < sites(); ++i) wind += siteWeight(i, east, north) * weather::windAt(profile(i, time), altitude, ground);
-    return wind;
+    return instant(time).meanAir(east, north, altitude, ground).wind;
 }
 
 double Field::age(core::UtcSeconds time) const {

@@ -25,7 +25,7 @@ struct PlaceWish {
     std::optional<double> altitude_m;
 };
 
-enum class SourceMode { Recorded, Preset };
+enum class SourceMode { Recorded, Preset, Live, Stale };
 
 /// Where the weather comes from.
 struct Origin {
@@ -62,6 +62,16 @@ struct Profile {
 /// lowest and without any, the logarithmic law to 10 m, a power law to 1 km and Ekman's veering from the surface wind. m/s.
 glm::dvec2 windAt(Profile const& profile, double altitude, double ground);
 
+/// The mean air at a point: the sites' air blended, before gusts, terrain and clouds act on it.
+struct MeanAir {
+    glm::dvec2 wind{0.0};         // m/s, east and north, where the air goes to
+    glm::dvec2 windSurface{0.0};  // m/s, 10 m above ground
+    double gust = 0.0;            // m/s, 10 m above ground
+    double temperature = 288.15;  // K, at the altitude
+    double pressure = 101325.0;   // Pa, at the altitude
+    double logVisibility = 11.0;  // of m, at the ground
+};
+
 class Field;
 
 /// The field at one moment, everywhere: prepare it once for a map or a tick, then ask it at many points. A copy of numbers:
@@ -69,6 +79,10 @@ class Field;
 class FieldInstant {
 public:
     Weather at(double east, double north) const;
+    /// `altitude` above sea level over ground of height `ground`. About a tenth of a microsecond a site.
+    MeanAir meanAir(double east, double north, double altitude, double ground) const;
+    /// True where the weather is the same everywhere at this moment: at() may be asked once for a whole map.
+    bool uniform() const { return sites_.size() == 1; }
     core::UtcSeconds time() const { return time_; }
 
 private:
@@ -77,7 +91,7 @@ private:
     struct SiteNow {
         double east, north;
         Weather weather;
-        double logVisibility;
+        Profile profile;
     };
     /// A track over one site: nothing where the site never had it.
     struct Extent {
@@ -114,12 +128,7 @@ public:
     /// Wind over the point at an altitude above sea level over ground of height `ground`. m/s, east and north.
     glm::dvec2 windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const;
 
-    /// What the air is made of: the sites' profiles at a time, and how much each counts at a point (they sum to 1).
     std::size_t sites() const;
-    Profile profile(std::size_t site, core::UtcSeconds time) const;
-    double siteWeight(std::size_t site, double east, double north) const;
-    /// True when there is one site: at() is the same everywhere at one time, and may be asked once for a whole map.
-    bool uniform() const { return sites() == 1; }
 
     /// The patterns of all layers that ever stand in this field.
     std::vector<unsigned> patterns() const;
@@ -147,8 +156,4 @@ private:
 
 /// The field of a recording. Throws core::Error where the recording cannot carry one.
 Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place);
-
-/// SOURCE of the command line: FILE, recorded:FILE or preset:NAME (calm, clear, fair, broken, overcast, storm). Throws
-/// core::Error in one line: unknown preset, unreadable or broken file, `live` (not available in this version).
-Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place = {});
 }  // namespace luftpost::weather

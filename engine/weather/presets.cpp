@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/error.h"
 #include "engine/core/time.h"
 
 namespace luftpost::weather {
@@ -100,25 +99,5 @@ std::optional<Recording> presetRecording(std::string_view name, std::optional<Pl
         return recording;
     }
     return std::nullopt;
-}
-
-Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place) {
-    if (source == "live")
-        throw core::Error("live", "", "live weather is not available in this version; expected recorded:FILE or preset:NAME");
-    if (source.starts_with("preset:")) {
-        auto recording = presetRecording(std::string_view{source}.substr(7), place);
-        if (!recording) {
-            std::string names;
-            for (PresetName const& preset : presetNames()) names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
-            throw core::Error(source, "", fmt::format("expected one of the presets {}", names));
-        }
-        Origin origin{SourceMode::Preset, recording->name, recording->source, recording->licence, ""};
-        return fieldFrom(std::move(*recording), std::move(origin), place);
-    }
-    std::string const file = source.starts_with("recorded:") ? source.substr(9) : source;
-    if (file.empty()) throw core::Error(source, "", "expected recorded:FILE, a file, or preset:NAME");
-    Recording recording = readRecording(file);
-    Origin origin{SourceMode::Recorded, recording.name, recording.source, recording.licence, recording.sha256};
-    return fieldFrom(std::move(recording), std::move(origin), place);
 }
 }  // namespace luftpost::weather

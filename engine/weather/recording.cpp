@@ -250,7 +250,7 @@ Report readReport(Node const& node) {
     node.object({"name", "lat", "lon", "elevation_m", "time", "wind", "visibility_m", "visibility_is_minimum",
                  "vertical_visibility_m", "temperature_c", "dew_point_c", "pressure_hpa", "precipitation", "thunder", "layers",
                  "layers_to_m", "filled", "interval_s", "levels", "cover_low", "cover_mid", "cover_high", "cover_total",
-                 "cover_bounds_m", "cape_j_kg", "freezing_level_m", "snow_depth_m", "weather_code"});
+                 "cover_bounds_m", "cape_j_kg", "freezing_level_m", "snow_depth_m", "radiation_w_m2", "longwave_w_m2", "weather_code"});
     Report report;
     report.time = readTime(node.required("time"));
     readWindAndRain(node, report);
@@ -264,6 +264,8 @@ Report readReport(Node const& node) {
     report.cape_j_kg = node.number("cape_j_kg", {0.0, 20000.0});
     report.freezingLevel_m = node.number("freezing_level_m", {-2000.0, 12000.0});
     report.snowDepth_m = node.number("snow_depth_m", {0.0, 50.0});
+    report.radiation_w_m2 = node.number("radiation_w_m2", {-50.0, 2000.0});
+    report.longwave_w_m2 = node.number("longwave_w_m2", {0.0, 1000.0});
     if (auto const code = node.number("weather_code", {0.0, 99.0})) {
         if (*code != std::floor(*code)) node.required("weather_code").failHere("a whole number from 0 to 99");
         report.weatherCode = static_cast<int>(*code);

@@ -55,6 +55,7 @@ struct Report {
     std::optional<double> coverLow, coverMid, coverHigh, coverTotal;
     CoverBounds coverBounds;
     std::optional<double> cape_j_kg, freezingLevel_m, snowDepth_m;
+    std::optional<double> radiation_w_m2, longwave_w_m2;  // coming down: of the sun, of the sky; means of the interval
     std::optional<int> weatherCode;  // WMO 4677 / Open-Meteo
     Filled filled;                   // what the file itself says was filled in
 };

@@ -57,6 +57,8 @@ void addExtras(Json& json, Report const& report) {
     add("cape_j_kg", report.cape_j_kg);
     add("freezing_level_m", report.freezingLevel_m);
     add("snow_depth_m", report.snowDepth_m);
+    add("radiation_w_m2", report.radiation_w_m2);
+    add("longwave_w_m2", report.longwave_w_m2);
     if (report.weatherCode) json["weather_code"] = *report.weatherCode;
     if (!report.levels.empty()) json["levels"] = levelsJson(report.levels);
 }

@@ -19,7 +19,7 @@
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/chunk.h"
 #include "engine/terrain/land.h"
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "game/app/commands.h"
 #include "game/app/report.h"
 

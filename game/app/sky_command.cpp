@@ -16,7 +16,7 @@
 #include "engine/render/renderer.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "game/app/commands.h"
 #include "game/app/plan.h"
 #include "game/app/weather_source.h"

@@ -10,6 +10,7 @@
 #include "engine/core/time.h"
 #include "engine/weather/genera.h"
 #include "engine/weather/report_json.h"
+#include "engine/weather/source.h"
 #include "game/app/commands.h"
 #include "game/app/weather_source.h"
 

@@ -4,6 +4,7 @@
 
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/weather/source.h"
 
 namespace luftpost::app {
 std::optional<weather::PlaceWish> placeWish(CommonOptions const& common) {

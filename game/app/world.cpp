@@ -1,6 +1,7 @@
 #include "game/app/world.h"
 
 #include "engine/core/check.h"
+#include "engine/weather/source.h"
 #include "game/app/weather_source.h"
 
 namespace luftpost::app {

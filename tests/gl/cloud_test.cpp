@@ -8,7 +8,7 @@
 #include "engine/gl/texture.h"
 #include "engine/render/renderer.h"
 #include "engine/sky/light.h"
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "engine/weather/noise_volume.h"
 #include "shaders/shared/cloud.glsl.h"
 #include "tests/gl/gl_fixture.h"

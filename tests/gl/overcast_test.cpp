@@ -1,7 +1,7 @@
 // What a closed sky does to the air below it.
 #include <algorithm>
 
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "tests/gl/sky_fixture.h"
 
 namespace {

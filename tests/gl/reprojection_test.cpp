@@ -11,7 +11,7 @@
 #include "engine/sky/light.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "tests/gl/gl_fixture.h"
 
 namespace {

@@ -5,6 +5,7 @@
 #include "engine/core/time.h"
 #include "engine/weather/air.h"
 #include "engine/weather/convection.h"
+#include "engine/weather/source.h"
 #include "engine/weather/turbulence.h"
 
 using namespace luftpost;

@@ -5,7 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/core/frames.h"
 #include "engine/core/time.h"
-#include "engine/weather/field.h"
+#include "engine/weather/source.h"
 #include "engine/weather/presets.h"
 
 using namespace luftpost;

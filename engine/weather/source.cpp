@@ -1,0 +1,59 @@
+#include "engine/weather/source.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/weather/presets.h"
+
+namespace luftpost::weather {
+namespace {
+/// One format: whether bytes look like it (cheap, never throws), and its reader.
+struct Format {
+    std::string_view name;
+    bool (*looksLike)(std::string_view bytes);
+    Recording (*parse)(std::string_view bytes, std::string const& file, SourceContext const& context);
+};
+
+/// In this order; the last takes whatever no other claims, and says what is wrong with it.
+constexpr std::array kFormats{
+    Format{"a recording (luftpost-weather-1)", [](std::string_view) { return true; },
+           [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseRecording(bytes, file); }},
+};
+}  // namespace
+
+SourceContext contextOfNow() {
+    return {std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count()};
+}
+
+Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context) {
+    for (Format const& format : kFormats)
+        if (format.looksLike(bytes)) return format.parse(bytes, file, context);
+    throw core::Error(file, "", "expected weather in a known format");
+}
+
+Recording readWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {
+    if (source == "live")
+        throw core::Error("live", "", "live weather is not available in this version; expected recorded:FILE or preset:NAME");
+    if (source.starts_with("preset:")) {
+        auto recording = presetRecording(std::string_view{source}.substr(7), place);
+        if (recording) return std::move(*recording);
+        std::string names;
+        for (PresetName const& preset : presetNames()) names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
+        throw core::Error(source, "", fmt::format("expected one of the presets {}", names));
+    }
+    std::string const file = source.starts_with("recorded:") ? source.substr(9) : source;
+    if (file.empty()) throw core::Error(source, "", "expected recorded:FILE, a file, or preset:NAME");
+    return parseSource(core::readFile(file), file, context);
+}
+
+Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {
+    Recording recording = readWeather(source, place, context);
+    SourceMode const mode = source.starts_with("preset:") ? SourceMode::Preset : SourceMode::Recorded;
+    Origin origin{mode, recording.name, recording.source, recording.licence, recording.sha256};
+    return fieldFrom(std::move(recording), std::move(origin), place);
+}
+}  // namespace luftpost::weather

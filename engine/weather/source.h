@@ -1,0 +1,29 @@
+// Sources: bytes of any known shape -> a recording. Recognised by content, never by name.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/weather/field.h"
+#include "engine/weather/recording.h"
+
+namespace luftpost::weather {
+/// What a source cannot say of itself.
+struct SourceContext {
+    core::UtcSeconds latest = 0.0;  // a METAR names day and hour alone: its month is the latest such day at or before this
+};
+
+/// Now, by the wall clock: what `latest` is without --time.
+SourceContext contextOfNow();
+
+/// Reads the bytes in whatever format they are. Throws core::Error that names `file`, the place in it and what was expected;
+/// bytes of no known format: one line that lists the formats.
+Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context);
+
+/// SOURCE of the command line: FILE, recorded:FILE or preset:NAME (calm, clear, fair, broken, overcast, storm). Throws
+/// core::Error in one line: unknown preset, unreadable or broken file, `live` (it needs a feed: game/app).
+Recording readWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context);
+
+/// The same as a field.
+Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place = {}, SourceContext const& context = contextOfNow());
+}  // namespace luftpost::weather
