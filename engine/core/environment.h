@@ -18,6 +18,9 @@ struct AirSample {
     double pressure = 101325.0;   // Pa
     double visibility = 1.0e5;    // m, meteorological optical range (5 % contrast)
     double icing = 0.0;           // kg/m3, supercooled liquid water
+    double rain = 0.0;            // mm/h that fall through this point, of water; freezing rain too
+    double snow = 0.0;            // mm/h of water; sleet counts half here, half as rain
+    double hail = 0.0;            // mm/h of water
 };
 using AirFunction = std::function<AirSample(glm::dvec3 const& positionWorld, UtcSeconds time)>;
 

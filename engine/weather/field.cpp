@@ -106,9 +106,11 @@ std::size_t Field::Data::reportIndex(std::size_t index, double time) const {
     return static_cast<std::size_t>(std::min(at - site.times.begin(), static_cast<std::ptrdiff_t>(site.times.size()) - 1));
 }
 
-std::optional<Layer> FieldInstant::layer(TrackNow const& track, std::vector<double> const& weights) const {
+namespace {
+/// The track's layer over a point, by the sites' weights there.
+std::optional<Layer> layerOf(TrackNow const& track, std::vector<double> const& weights) {
     double cover = 0.0, base = 0.0, top = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < sites_.size(); ++i) {
+    for (std::size_t i = 0; i < weights.size(); ++i) {
         Extent const& extent = track.sites[i];
         if (!extent.present) continue;
         cover += weights[i] * extent.cover;
@@ -124,16 +126,21 @@ std::optional<Layer> FieldInstant::layer(TrackNow const& track, std::vector<doub
     layer.top = static_cast<float>(top / sum);
     return layer;
 }
+}  // namespace
+
+bool FieldInstant::uniform() const { return now_->sites.size() == 1; }
+core::UtcSeconds FieldInstant::time() const { return now_->time; }
 
 Weather FieldInstant::at(double east, double north) const {
+    std::vector<SiteNow> const& sites = now_->sites;
     std::vector<double> weights;
-    for (SiteNow const& site : sites_) weights.push_back(nearness(east - site.east, north - site.north));
+    for (SiteNow const& site : sites) weights.push_back(nearness(east - site.east, north - site.north));
     double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     Weather weather;
     weather.gust = weather.temperature = weather.dewPoint = weather.pressureSea = weather.freezingLevel = 0.0;
     double logVisibility = 0.0, wettest = 0.0, nearest = 0.0;
-    for (std::size_t i = 0; i < sites_.size(); ++i) {
-        Weather const& own = sites_[i].weather;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        Weather const& own = sites[i].weather;
         double const w = weights[i] /= sum, rain = w * own.precipitationRate;
         weather.windSurface += w * own.windSurface;
         weather.gust += w * own.gust;
@@ -144,7 +151,7 @@ Weather FieldInstant::at(double east, double north) const {
         weather.freezingLevel += w * own.freezingLevel;
         weather.snowDepth += w * own.snowDepth;
         weather.precipitationRate += rain;
-        logVisibility += w * sites_[i].profile.logVisibility;
+        logVisibility += w * sites[i].profile.logVisibility;
         if (rain > wettest) weather.precipitation = own.precipitation;
         if (w > nearest) weather.thunder = own.thunder;
         wettest = std::max(wettest, rain);
@@ -152,8 +159,8 @@ Weather FieldInstant::at(double east, double north) const {
     }
     weather.visibility = core::exp(logVisibility);
     std::vector<Layer> layers;
-    for (TrackNow const& track : tracks_)
-        if (auto const one = layer(track, weights)) layers.push_back(*one);
+    for (TrackNow const& track : now_->tracks)
+        if (auto const one = layerOf(track, weights)) layers.push_back(*one);
     fitLayers(layers);
     std::stable_sort(layers.begin(), layers.end(), [](Layer const& a, Layer const& b) { return a.base < b.base; });
     for (Layer const& one : layers) weather.layers[static_cast<std::size_t>(weather.layerCount++)] = one;
@@ -162,11 +169,11 @@ Weather FieldInstant::at(double east, double north) const {
 
 MeanAir FieldInstant::meanAir(double east, double north, double altitude, double ground) const {
     double sum = 0.0;
-    for (SiteNow const& site : sites_) sum += nearness(east - site.east, north - site.north);
+    for (SiteNow const& site : now_->sites) sum += nearness(east - site.east, north - site.north);
     MeanAir mean;
     mean.gust = mean.logVisibility = 0.0;
     double temperatureSea = 0.0, pressureSea = 0.0;
-    for (SiteNow const& site : sites_) {
+    for (SiteNow const& site : now_->sites) {
         Profile const& profile = site.profile;
         double const w = uniform() ? 1.0 : nearness(east - site.east, north - site.north) / sum;
         mean.wind += w * windAt(profile, altitude, ground);
@@ -182,22 +189,22 @@ MeanAir FieldInstant::meanAir(double east, double north, double altitude, double
     return mean;
 }
 
-Field::Field(std::unique_ptr<Data const> data) : data_{std::move(data)} {}
+Field::Field(std::shared_ptr<Data const> data) : data_{std::move(data)} {}
 Field::~Field() = default;
 Field::Field(Field&&) noexcept = default;
 Field& Field::operator=(Field&&) noexcept = default;
 
 FieldInstant Field::instant(core::UtcSeconds time) const {
     Data const& d = *data_;
-    FieldInstant now;
-    now.time_ = time;
+    auto now = std::make_shared<FieldInstant::Now>();
+    now->time = time;
     for (std::size_t i = 0; i < d.sites.size(); ++i) 
-        now.sites_.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.profile(i, time)});
+        now->sites.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.profile(i, time)});
     for (std::size_t t = 0; t < d.tracks.size(); ++t) {
-        FieldInstant::TrackNow track;
+        TrackNow track;
         bool any = false;
         for (SiteData const& site : d.sites) {
-            FieldInstant::Extent extent;
+            Extent extent;
             if (auto const& curves = site.curves[t]) {
                 double const cover = curves->cover.at(time);
                 extent = {true, cover, curves->base.at(time), curves->top.at(time)};
@@ -213,9 +220,11 @@ FieldInstant Field::instant(core::UtcSeconds time) const {
         track.layer.drift = own.wind.integralTo(time) - own.atStart;
         track.layer.phase = (time - d.start) / 3600.0;
         track.layer.pattern = own.pattern;
-        now.tracks_.push_back(std::move(track));
+        now->tracks.push_back(std::move(track));
     }
-    return now;
+    FieldInstant instant;
+    instant.now_ = std::move(now);
+    return instant;
 }
 
 Weather Field::at(double east, double north, core::UtcSeconds time) const { return instant(time).at(east, north); }

@@ -74,39 +74,22 @@ struct MeanAir {
 
 class Field;
 
-/// The field at one moment, everywhere: prepare it once for a map or a tick, then ask it at many points. A copy of numbers:
-/// it may outlive the field.
+/// The field at one moment, everywhere: prepare it once for a map or a tick, then ask it at many points. Cheap to copy; it
+/// may outlive the field. Any thread.
 class FieldInstant {
 public:
+    FieldInstant() = default;  // of no field: only to be assigned to
     Weather at(double east, double north) const;
-    /// `altitude` above sea level over ground of height `ground`. About a tenth of a microsecond a site.
+    /// `altitude` above sea level over ground of height `ground`. About a tenth of a microsecond a site, more while a front passes.
     MeanAir meanAir(double east, double north, double altitude, double ground) const;
     /// True where the weather is the same everywhere at this moment: at() may be asked once for a whole map.
-    bool uniform() const { return sites_.size() == 1; }
-    core::UtcSeconds time() const { return time_; }
+    bool uniform() const;
+    core::UtcSeconds time() const;
 
 private:
     friend class Field;
-    /// One site's share of the weather, all but the layers.
-    struct SiteNow {
-        double east, north;
-        Weather weather;
-        Profile profile;
-    };
-    /// A track over one site: nothing where the site never had it.
-    struct Extent {
-        bool present = false;
-        double cover = 0.0, base = 0.0, top = 0.0;
-    };
-    struct TrackNow {
-        Layer layer;  // all but cover, base and top
-        std::vector<Extent> sites;
-    };
-    std::optional<Layer> layer(TrackNow const& track, std::vector<double> const& weights) const;
-
-    core::UtcSeconds time_ = 0.0;
-    std::vector<SiteNow> sites_;
-    std::vector<TrackNow> tracks_;  // those with any cover anywhere
+    struct Now;
+    std::shared_ptr<Now const> now_;
 };
 
 class Field {
@@ -148,12 +131,19 @@ public:
     FieldReport reportAt(std::size_t site, core::UtcSeconds time) const;
 
 private:
+    friend class FieldInstant;
+    friend struct FieldAccess;  // of the field's own files
     struct Data;
-    explicit Field(std::unique_ptr<Data const> data);
-    friend Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place);
-    std::unique_ptr<Data const> data_;
+    explicit Field(std::shared_ptr<Data const> data);
+    std::shared_ptr<Data const> data_;
 };
 
 /// The field of a recording. Throws core::Error where the recording cannot carry one.
 Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place);
+
+/// The field that takes over from `before` at `time`, when a feed brings a new recording or a hand changes the weather: at
+/// that time it is what `before` was, then it goes to what the recording says within `seconds` (a report of the recording
+/// closer than that to `time` waits until then). Layers that both know keep pattern, drift and age, so that no cloud jumps; what
+/// `before` said of times before `time` is gone. The place stays. Throws core::Error.
+Field nextField(Field const& before, Recording recording, Origin origin, core::UtcSeconds time, double seconds = 300.0);
 }  // namespace luftpost::weather

@@ -222,7 +222,7 @@ void Field::Data::listReports() {
 }
 
 Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place) {
-    auto data = std::make_unique<Field::Data>();
+    auto data = std::make_shared<FieldAccess::Data>();
     data->place = placeOf(recording, place);
     data->origin = std::move(origin);
     data->recording = std::move(recording);
@@ -235,6 +235,6 @@ Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> con
     data->joinTracks();
     data->findWinds();
     data->listReports();
-    return Field{std::move(data)};
+    return FieldAccess::field(std::move(data));
 }
 }  // namespace luftpost::weather

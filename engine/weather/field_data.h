@@ -78,4 +78,33 @@ struct Field::Data {
     std::size_t reportIndex(std::size_t site, double time) const;
 };
 
+/// One site's share of the weather at a moment, all but the layers.
+struct SiteNow {
+    double east, north;
+    Weather weather;
+    Profile profile;
+};
+
+/// A track over one site: nothing where the site never had it.
+struct Extent {
+    bool present = false;
+    double cover = 0.0, base = 0.0, top = 0.0;
+};
+
+struct TrackNow {
+    Layer layer;  // all but cover, base and top
+    std::vector<Extent> sites;
+};
+
+struct FieldInstant::Now {
+    core::UtcSeconds time = 0.0;
+    std::vector<SiteNow> sites;
+    std::vector<TrackNow> tracks;  // those with any cover anywhere
+};
+
+struct FieldAccess {
+    static Field field(std::shared_ptr<Field::Data const> data) { return Field{std::move(data)}; }
+    static Field::Data const& data(Field const& field) { return *field.data_; }
+    using Data = Field::Data;
+};
 }  // namespace luftpost::weather
