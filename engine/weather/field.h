@@ -34,6 +34,7 @@ struct Origin {
     std::string provider;  // "MeteoSwiss (open data)"; "Luftpost" for a preset
     std::string licence;
     std::string sha256;    // empty for a preset
+    core::UtcSeconds fetched = 0.0;  // Live and Stale: when the source gave it
 };
 
 /// One site's report as the field uses it: what was said, and by place what the field uses instead.
