@@ -69,8 +69,25 @@ struct MeanAir {
     glm::dvec2 windSurface{0.0};  // m/s, 10 m above ground
     double gust = 0.0;            // m/s, 10 m above ground
     double temperature = 288.15;  // K, at the altitude
+    double dewPoint = 281.15;     // K, at the altitude
     double pressure = 101325.0;   // Pa, at the altitude
     double logVisibility = 11.0;  // of m, at the ground
+};
+
+/// A front's way over a site: found in the reports (a wind shift of 30 degrees with a fall of 3 K or a rise of 1 hPa).
+struct Passage {
+    std::size_t site = 0;
+    core::UtcSeconds time = 0.0;
+    glm::dvec2 toward{1.0, 0.0};  // unit, east and north: where the line moves, square to itself
+    double speed = 10.0;          // m/s
+};
+
+/// A front as a line near a point.
+struct FrontNear {
+    glm::dvec2 toward{1.0, 0.0};  // unit, east and north: where it moves
+    double speed = 10.0;          // m/s
+    double distance = 0.0;        // m from the line to the point along `toward`: above 0 it has not come yet
+    double width = 4500.0;        // m, from 10 to 90 % of the change
 };
 
 class Field;
@@ -113,6 +130,10 @@ public:
     glm::dvec2 windAt(double east, double north, double altitude, double ground, core::UtcSeconds time) const;
 
     std::size_t sites() const;
+
+    /// Fronts: every passage over a site, in time; and the line nearest to a point, if it passes there within two hours.
+    std::vector<Passage> const& passages() const;
+    std::optional<FrontNear> front(double east, double north, core::UtcSeconds time) const;
 
     /// The patterns of all layers that ever stand in this field.
     std::vector<unsigned> patterns() const;

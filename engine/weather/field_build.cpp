@@ -175,7 +175,6 @@ void Field::Data::joinTracks() {
             site.trackOf[track] = i;
         }
     }
-    std::array<unsigned, kGenera> ordinals{};
     for (SiteTrack const& track : known)
         tracks.push_back({track.genus, patternId(track.genus, ordinals[static_cast<std::size_t>(track.genus)]++), {}, glm::dvec2{0.0}});
     for (SiteData& site : sites) {
@@ -189,13 +188,32 @@ void Field::Data::joinTracks() {
     }
 }
 
+/// A track that stands at the time of the change keeps the pattern of the layer it was: the nearest of its genus, each once.
+void Field::Data::carryPatterns() {
+    std::vector<Carry::CarriedLayer> left = carry->layers;
+    for (std::size_t t = 0; t < tracks.size(); ++t) {
+        std::optional<double> base;
+        for (SiteData const& site : sites)
+            if (site.curves[t] && site.curves[t]->cover.at(carry->time) > 0.0) base = site.curves[t]->base.at(carry->time);
+        if (!base) continue;
+        auto best = left.end();
+        for (auto layer = left.begin(); layer != left.end(); ++layer)
+            if (layer->genus == tracks[t].genus && (best == left.end() || std::abs(layer->base - *base) < std::abs(best->base - *base))) best = layer;
+        if (best == left.end()) continue;
+        tracks[t].pattern = best->pattern;
+        tracks[t].atStart = -best->drift;  // findWinds adds the integral up to the change
+        left.erase(best);
+    }
+}
+
 /// Each track's wind at the middle of its layer at every report, then a curve through it: its integral is the drift.
 void Field::Data::findWinds() {
     auto const times = allTimes();
     std::vector<glm::dvec2> boundaryWinds;
     for (double const time : times) boundaryWinds.push_back(windAtOrigin(place.altitude_m + kBoundaryHeight, time));
     boundary = {times, boundaryWinds};
-    boundaryAtStart = boundary.integralTo(start);
+    double const from = carry ? carry->time : start;
+    boundaryAtStart = boundary.integralTo(from) - (carry ? carry->boundaryDrift : glm::dvec2{0.0});
     for (std::size_t t = 0; t < tracks.size(); ++t) {
         std::vector<glm::dvec2> winds;
         for (double const time : times) {
@@ -209,7 +227,7 @@ void Field::Data::findWinds() {
             winds.push_back(windAtOrigin(middle / sum, time));
         }
         tracks[t].wind = {times, winds};
-        tracks[t].atStart = tracks[t].wind.integralTo(start);
+        tracks[t].atStart += tracks[t].wind.integralTo(from);
     }
 }
 
@@ -221,20 +239,30 @@ void Field::Data::listReports() {
     }
 }
 
+/// From recording, origin and place to all the rest.
+void Field::Data::build() {
+    for (Site const& site : recording.sites) sites.push_back(siteData(site, place));
+    start = end = sites.front().times.front();
+    for (SiteData const& site : sites) {
+        start = std::min(start, site.times.front());
+        end = std::max(end, site.times.back());
+    }
+    if (carry) {
+        start = std::min(start, carry->start);
+        ordinals = carry->ordinals;
+    }
+    joinTracks();
+    if (carry) carryPatterns();
+    findWinds();
+    listReports();
+}
+
 Field fieldFrom(Recording recording, Origin origin, std::optional<PlaceWish> const& place) {
     auto data = std::make_shared<FieldAccess::Data>();
     data->place = placeOf(recording, place);
     data->origin = std::move(origin);
     data->recording = std::move(recording);
-    for (Site const& site : data->recording.sites) data->sites.push_back(siteData(site, data->place));
-    data->start = data->end = data->sites.front().times.front();
-    for (SiteData const& site : data->sites) {
-        data->start = std::min(data->start, site.times.front());
-        data->end = std::max(data->end, site.times.back());
-    }
-    data->joinTracks();
-    data->findWinds();
-    data->listReports();
+    data->build();
     return FieldAccess::field(std::move(data));
 }
 }  // namespace luftpost::weather

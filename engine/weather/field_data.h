@@ -56,11 +56,28 @@ struct FieldTrack {
     glm::dvec2 atStart{0.0};  // integral of the wind up to the recording's start
 };
 
+/// What a field takes over from the one before it, so that clouds and turbulence go on where they were.
+struct Carry {
+    struct CarriedLayer {
+        Genus genus;
+        double base;  // m above sea level
+        unsigned pattern;
+        glm::dvec2 drift;
+    };
+    core::UtcSeconds time = 0.0;   // of the change
+    core::UtcSeconds start = 0.0;  // of the first field: phases count from it
+    std::vector<CarriedLayer> layers;
+    std::array<unsigned, kGenera> ordinals{};  // patterns used so far
+    glm::dvec2 boundaryDrift{0.0};
+};
+
 struct Field::Data {
     Recording recording;
     Origin origin;
     core::Place place;
     core::UtcSeconds start = 0.0, end = 0.0;
+    std::array<unsigned, kGenera> ordinals{};  // patterns used so far, by genus
+    std::optional<Carry> carry;
     std::vector<SiteData> sites;
     std::vector<FieldTrack> tracks;
     VectorCurve boundary;
@@ -72,7 +89,9 @@ struct Field::Data {
     Weather siteWeather(std::size_t site, double time) const;
     glm::dvec2 windAtOrigin(double altitude, double time) const;
     std::vector<double> allTimes() const;
+    void build();
     void joinTracks();
+    void carryPatterns();
     void findWinds();
     void listReports();
     std::size_t reportIndex(std::size_t site, double time) const;

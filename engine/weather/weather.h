@@ -40,6 +40,7 @@ struct Weather {
     bool thunder = false;
     double cape = 0.0;                       // J/kg
     double freezingLevel = 3000.0;           // m above sea level
+    double condensationLevel = 1500.0;       // m above sea level: where air lifted from the ground forms cloud
     double snowDepth = 0.0;                  // m
 };
 }  // namespace luftpost::weather
