@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/weather/metar_files.h"
 #include "engine/weather/presets.h"
 
 namespace luftpost::weather {
@@ -18,15 +19,20 @@ struct Format {
     Recording (*parse)(std::string_view bytes, std::string const& file, SourceContext const& context);
 };
 
+constexpr std::size_t kMostBytes = 64u << 20;  // of a file: more is no weather of a flight
+
 /// In this order; the last takes whatever no other claims, and says what is wrong with it.
 constexpr std::array kFormats{
+    Format{"METAR as JSON of aviationweather.gov", looksLikeMetarJson, parseMetarJson},
+    Format{"METAR in a table", looksLikeMetarTable, parseMetarTable},
+    Format{"METAR as text", looksLikeMetarText, parseMetarText},
     Format{"a recording (luftpost-weather-1)", [](std::string_view) { return true; },
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseRecording(bytes, file); }},
 };
 }  // namespace
 
 SourceContext contextOfNow() {
-    return {std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count()};
+    return {std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(), {}};
 }
 
 Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context) {
@@ -47,7 +53,7 @@ Recording readWeather(std::string const& source, std::optional<PlaceWish> const&
     }
     std::string const file = source.starts_with("recorded:") ? source.substr(9) : source;
     if (file.empty()) throw core::Error(source, "", "expected recorded:FILE, a file, or preset:NAME");
-    return parseSource(core::readFile(file), file, context);
+    return parseSource(core::readFile(file, kMostBytes), file, context);
 }
 
 Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {
