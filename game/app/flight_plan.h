@@ -11,6 +11,7 @@ namespace luftpost::app {
 struct FlightPlan {
     std::string weather;        // the source, as World takes it (not empty)
     std::string weatherSha256;  // of a recording; empty: a preset
+    core::UtcSeconds weatherLatest = 0.0;  // a METAR's month is the latest such day at or before this
     core::Place place;
     SimulationOptions simulation;
 };

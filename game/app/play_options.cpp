@@ -91,7 +91,8 @@ FlightStart startOption(std::string const& text, double airfieldAltitude) {
 
 /// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
 void planWeather(FlightPlan& plan, CommonOptions const& common) {
-    weather::Field const field = weatherField(common);
+    plan.weatherLatest = sourceContext(common).latest;
+    weather::Field const field = weather::loadWeather(weatherSource(common), placeWish(common), sourceContextAt(plan.weatherLatest));
     plan.weather = weatherSource(common);
     if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
         plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();

@@ -28,7 +28,11 @@ core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& fi
 }
 
 weather::SourceContext sourceContext(CommonOptions const& common) {
-    return {common.time.value_or(weather::contextOfNow().latest), platform::dataFile("assets/weather/stations.txt").string()};
+    return sourceContextAt(common.time.value_or(weather::contextOfNow().latest));
+}
+
+weather::SourceContext sourceContextAt(core::UtcSeconds latest) {
+    return {latest, platform::dataFile("assets/weather/stations.txt").string()};
 }
 
 weather::Field weatherField(CommonOptions const& common) {

@@ -17,6 +17,7 @@ std::string weatherSource(CommonOptions const& common);
 core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& field);
 /// What a source cannot say of itself: --time, else now; the product's table of stations.
 weather::SourceContext sourceContext(CommonOptions const& common);
+weather::SourceContext sourceContextAt(core::UtcSeconds latest);
 /// The field of the common options. Throws core::Error.
 weather::Field weatherField(CommonOptions const& common);
 /// What the build made. Throws core::Error where a file is missing or broken.

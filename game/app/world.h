@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/core/environment.h"
@@ -16,7 +17,8 @@ namespace luftpost::app {
 class World {
 public:
     /// `source` as --weather takes it (not empty). Throws core::Error where it cannot be loaded.
-    World(std::string const& source, core::Place const& place, unsigned seed);
+    /// `latest` tells the month of METARs; none: now.
+    World(std::string const& source, core::Place const& place, unsigned seed, std::optional<core::UtcSeconds> latest = {});
     World(World const&) = delete;
     World& operator=(World const&) = delete;
 
@@ -43,6 +45,7 @@ private:
 
     std::string source_;
     core::Place place_;
+    std::optional<core::UtcSeconds> latest_;
     terrain::Land land_;
     core::GroundFunction ground_;
     weather::NoiseVolumes noise_;
