@@ -13,6 +13,7 @@ constexpr double kCavokHeight = 1524.0;      // m: 5,000 ft
 constexpr double kClearHeight = 3657.6;      // m: 12,000 ft, as far as American automatic stations look
 constexpr std::size_t kMostClouds = 16;      // as many layers as a recording takes
 constexpr std::size_t kMostWeather = 16;
+constexpr int kMostFallen = 900;             // hundredths of an inch in an hour
 
 struct Token {
     std::string_view text;
@@ -311,7 +312,10 @@ void readRemark(Walk& walk) {
     if (word == "PWINO") metar.weatherBlind = true;
     if (auto const tenths = metarTenths(word)) metar.tenths = *tenths;
     if (auto const tenths = codedNumber(word, "SLP", 3)) metar.seaLevel = tenths;
-    if (auto const hundredths = american ? codedNumber(word, "P", 4) : std::nullopt) metar.fallen_mm = *hundredths * 0.254;
+    if (auto const hundredths = american ? codedNumber(word, "P", 4) : std::nullopt) {
+        if (*hundredths <= kMostFallen) metar.fallen_mm = *hundredths * 0.254;
+        else walk.note(1, "is no amount of an hour");
+    }
     // Where the body has no Q, the pressure may stand here (Japan writes both).
     if (auto const pressure = metarPressure(word); pressure && !metar.pressure_hpa) metar.pressure_hpa = pressure->pressure_hpa;
     for (MetarGenus const& genus : metarGenera(word)) metar.genera.push_back(genus);

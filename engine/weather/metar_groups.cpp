@@ -11,7 +11,8 @@ constexpr double kKnot = 1852.0 / 3600.0;         // m/s
 constexpr double kMile = 1609.344;                // m, statute
 constexpr double kHundredFeet = 30.48;            // m
 constexpr double kInchOfMercury = 33.86389;       // hPa (ISO 80000-4: conventional inch of mercury)
-constexpr int kHighestCloud = 600;                // hundreds of feet; more is an error of writing
+constexpr int kHighestCloud = 500;                // hundreds of feet; more is an error of writing
+constexpr int kHottestTenths = 650;               // tenths of a degree
 constexpr double kStrongestWind = 150.0;          // m/s; more is an error of writing
 constexpr double kLeastPressure = 850.0, kMostPressure = 1090.0;  // hPa at sea level; the records are 870 and 1085
 
@@ -232,7 +233,7 @@ std::optional<MetarTemperature> metarTemperature(std::string_view group) {
     MetarTemperature read;
     if (!takeDegrees(scan, read.temperature_c) || !scan.take("/")) return std::nullopt;
     if (!takeDegrees(scan, read.dew_point_c) || !scan.done() || group.size() < 3) return std::nullopt;
-    if (read.temperature_c.value_or(0.0) > 65.0 || read.dew_point_c.value_or(0.0) > 65.0) return std::nullopt;
+    if (read.temperature_c.value_or(0.0) * 10.0 > kHottestTenths || read.dew_point_c.value_or(0.0) * 10.0 > kHottestTenths) return std::nullopt;
     return read;
 }
 
@@ -311,7 +312,7 @@ std::optional<MetarTemperature> metarTenths(std::string_view group) {
     auto const tenths = [&scan]() -> std::optional<double> {
         auto const sign = scan.takeOneOf({"0", "1"});
         auto const value = sign ? scan.exactly(3) : std::nullopt;
-        if (!value) return std::nullopt;
+        if (!value || (*sign == 0 && *value > kHottestTenths)) return std::nullopt;
         return (*sign == 1 && *value > 0 ? -*value : *value) / 10.0;
     };
     MetarTemperature read;
