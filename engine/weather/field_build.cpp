@@ -225,7 +225,7 @@ std::array<bool, kQuantities> knownBy(Site const& site) {
         note(Quantity::Cape, r.cape_j_kg.has_value());
         note(Quantity::FreezingLevel, r.freezingLevel_m || r.temperature_c);
         note(Quantity::Snow, r.snowDepth_m.has_value());
-        note(Quantity::Clouds, r.layers || r.coverLow || r.coverMid || r.coverHigh || r.coverTotal || r.verticalVisibility_m);
+        note(Quantity::Clouds, r.layers || r.coverLow || r.coverMid || r.coverHigh || r.coverTotal || r.verticalVisibility_m || r.radiation_w_m2 || r.longwave_w_m2);
     }
     return knows;
 }
@@ -346,7 +346,7 @@ void Field::Data::joinTracks() {
         }
     }
     for (SiteTrack const& track : known)
-        tracks.push_back({track.genus, patternId(track.genus, ordinals[static_cast<std::size_t>(track.genus)]++), {}, glm::dvec2{0.0}});
+        tracks.push_back({track.genus, patternId(track.genus, ordinals[static_cast<std::size_t>(track.genus)]++), meanBase(track), {}, glm::dvec2{0.0}});
     for (SiteData& site : sites) {
         std::vector<Window> const windows = windowsOf(site);
         site.trackOf.resize(known.size());
