@@ -32,7 +32,7 @@ weather::SourceContext sourceContext(CommonOptions const& common) {
 }
 
 weather::SourceContext sourceContextAt(core::UtcSeconds latest) {
-    return {latest, platform::dataFile("assets/weather/stations.txt").string()};
+    return {.latest = latest, .stationTable = platform::dataFile("assets/weather/stations.txt").string()};
 }
 
 weather::Field weatherField(CommonOptions const& common) {

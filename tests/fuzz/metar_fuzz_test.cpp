@@ -56,7 +56,7 @@ void expectSound(std::string const& text) {
 /// What is taken must also make a recording that our own reader takes, and a field whose answers are numbers.
 bool takes(std::string const& bytes) {
     try {
-        Recording recording = parseSource(bytes, "fuzz", {1677000000.0, {}});
+        Recording recording = parseSource(bytes, "fuzz", {.latest = 1677000000.0});
         if (!recording.unknownKeys.empty()) return true;
         EXPECT_EQ(recordingText(parseRecording(recordingText(recording), "again")), recordingText(recording)) << bytes;
         Field const field = fieldFrom(std::move(recording), {}, {});

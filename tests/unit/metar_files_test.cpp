@@ -17,8 +17,10 @@ namespace {
 std::string const kTable = std::string{LUFTPOST_SOURCE_DIR} + "/assets/weather/stations.txt";
 std::string const kShared = std::string{LUFTPOST_SOURCE_DIR} + "/../shared/weather/metar/";
 
+SourceContext contextAt(std::string const& latest) { return {.latest = *core::parseUtc(latest), .stationTable = kTable}; }
+
 Recording parse(std::string const& bytes, std::string const& latest = "2023-02-10T12:00Z") {
-    return parseSource(bytes, "test", {*core::parseUtc(latest), kTable});
+    return parseSource(bytes, "test", contextAt(latest));
 }
 
 std::string timeOf(Report const& report) { return core::formatUtc(report.time).substr(0, 16); }
@@ -161,7 +163,7 @@ TEST(MetarFiles, TheTableOfStationsKnowsMostOfTheWorld) {
 
 TEST(MetarFiles, OfARealHourOfTheWorldFewGroupsStayUnread) {
     if (!std::filesystem::exists(kShared)) GTEST_SKIP() << "no " << kShared;
-    Recording const recording = readWeather(kShared + "worldwide_1093.txt", {}, {*core::parseUtc("2023-02-10T00:00Z"), kTable});
+    Recording const recording = readWeather(kShared + "worldwide_1093.txt", {}, contextAt("2023-02-10T00:00Z"));
     EXPECT_EQ(recording.order.size(), 1093u);
     EXPECT_EQ(recording.sites.size(), 813u);
     EXPECT_EQ(recording.notes.size(), 6u) << "a volcano's name twice, XX/XX, a blank, a time of five digits, a SYNOP";
@@ -169,12 +171,12 @@ TEST(MetarFiles, OfARealHourOfTheWorldFewGroupsStayUnread) {
     for (Site const& site : recording.sites) placed += site.lat_deg.has_value();
     EXPECT_GE(placed, 796u);
     for (std::string const file : {"KCVG_2024-03-01_hourly.tsv", "KCVG_2024-03-01_specials.tsv", "aviationweather_gov_metar_json_examples.json"})
-        EXPECT_TRUE(readWeather(kShared + file, {}, {0.0, kTable}).notes.empty()) << file;
+        EXPECT_TRUE(readWeather(kShared + file, {}, contextAt("2024-03-02T00:00Z")).notes.empty()) << file;
 }
 
 TEST(MetarFiles, AFieldOfEightHundredStationsIsMadeAndKnowsItsFirst) {
     if (!std::filesystem::exists(kShared)) GTEST_SKIP() << "no " << kShared;
-    Field const field = loadWeather(kShared + "worldwide_1093.txt", {}, {*core::parseUtc("2023-02-10T00:00Z"), kTable});
+    Field const field = loadWeather(kShared + "worldwide_1093.txt", {}, contextAt("2023-02-10T00:00Z"));
     ASSERT_EQ(field.sites(), 813u);
     Report const& first = field.recording().sites[0].reports[0];
     Weather const weather = field.at(0.0, 0.0, first.time);
