@@ -79,8 +79,7 @@ std::size_t takeMarker(Walk& walk) {
     std::string_view const word = walk.word();
     if (word == "AUTO") walk.metar.automatic = true;
     else if (word == "COR" || (word.size() == 3 && word.starts_with("CC") && word[2] >= 'A' && word[2] <= 'Z')) walk.metar.corrected = true;
-    else if (word == "NIL") walk.metar.nil = true;
-    else if (word != "RTD" && word != "NOSIG") return 0;
+    else if (word != "NIL" && word != "RTD" && word != "NOSIG") return 0;
     return 1;
 }
 
@@ -103,7 +102,7 @@ std::size_t takeSector(Walk& walk) { return isMetarSector(walk.word()) ? 1 : 0; 
 
 std::size_t takeCavok(Walk& walk) {
     if (walk.word() != "CAVOK") return 0;
-    walk.metar.cavok = walk.visibilitySeen = true;
+    walk.visibilitySeen = true;
     walk.metar.visibility = {10000.0, true, false};
     if (!walk.metar.clouds) {
         walk.metar.clouds.emplace();
