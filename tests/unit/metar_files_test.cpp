@@ -108,6 +108,13 @@ TEST(MetarFiles, AnUnknownStationHasNoPlaceAndItsBasesCountFromZero) {
     EXPECT_EQ(std::get<double>(field.reportAt(0, field.start()).filled.at("elevation_m")), 0.0);
 }
 
+TEST(MetarFiles, AStationWithoutAPlaceBlendsIntoNoOther) {
+    Field const field = fieldFrom(parse("ZZZZ 010150Z 27010KT CAVOK 30/05 Q1013\nEGLL 010150Z 27010KT CAVOK 10/05 Q1013\nYYYY 010150Z 27010KT CAVOK M20/M25 Q1013"), {}, {});
+    EXPECT_NEAR(field.at(0.0, 0.0, field.start()).temperature, 283.15, 1e-6) << "here is the first that has a place";
+    EXPECT_NEAR(*field.reportAt(0, field.start()).said.temperature_c, 30.0, 1e-6);
+    EXPECT_NEAR(*field.reportAt(2, field.start()).said.temperature_c, -20.0, 1e-6);
+}
+
 TEST(MetarFiles, ATableGivesItsReportsAndTheirDates) {
     Recording const recording = parse(
         "#DEBUG: Time Zone -> UTC\nstation\tvalid\tmetar\nCVG\t2024-03-01 00:52\tKCVG 010052Z 14003KT 10SM FEW250 03/M11 A3042 RMK AO2 SLP310 T00281106 $\n"
