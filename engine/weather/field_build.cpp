@@ -296,8 +296,9 @@ core::Place placeOf(Recording const& recording, std::optional<PlaceWish> const& 
     place.lon_deg = wish->lon_deg;
     double nearest = 1e300;
     for (Site const& site : recording.sites) {
-        double const north = site.lat_deg.value_or(place.lat_deg) - place.lat_deg;
-        double const east = turn(site.lon_deg.value_or(place.lon_deg) - place.lon_deg) * core::cos(core::radians(place.lat_deg));
+        if (!site.lat_deg || !site.lon_deg) continue;
+        double const north = *site.lat_deg - place.lat_deg;
+        double const east = turn(*site.lon_deg - place.lon_deg) * core::cos(core::radians(place.lat_deg));
         if (north * north + east * east >= nearest) continue;
         nearest = north * north + east * east;
         place.altitude_m = site.elevation_m.value_or(0.0);
