@@ -120,7 +120,7 @@ TEST(MetarFiles, ATableGivesItsReportsAndTheirDates) {
         "#DEBUG: Time Zone -> UTC\nstation\tvalid\tmetar\nCVG\t2024-03-01 00:52\tKCVG 010052Z 14003KT 10SM FEW250 03/M11 A3042 RMK AO2 SLP310 T00281106 $\n"
         "CVG\t2024-03-01 00:10\tKCVG 292359Z 14003KT 10SM CLR 03/M1 A3042\nCVG\t2024-03-01 01:00\t\nCVG\n");
     EXPECT_EQ(listed(recording), "KCVG 2024-03-01T00:52 KCVG 2024-02-29T23:59 ");
-    EXPECT_EQ(recording.notes, (std::vector<std::string>{"line 4, column 51: KCVG: \"03/M1\" is no temperature and dew point", "line 5, column 1: has no report",
+    EXPECT_EQ(recording.notes, (std::vector<std::string>{"line 4, column 52: KCVG: \"03/M1\" is no temperature and dew point", "line 5, column 1: has no report",
                                                          "line 6, column 1: has no cell for the report"}));
     EXPECT_EQ(listed(parse("station,valid,metar\nCVG,2024-03-01 00:52,\"KCVG 010052Z 14003KT 10SM CLR\"\n")), "KCVG 2024-03-01T00:52 ");
 }
@@ -133,7 +133,7 @@ TEST(MetarFiles, TheJsonsRawTextCountsAndItsPlaceWhereTheTableHasNone) {
     EXPECT_NEAR(*recording.sites[0].lat_deg, 35.55, 0.01);
     EXPECT_EQ(recording.sites[1].elevation_m, 5.0);
     EXPECT_EQ(recording.sites[0].reports[0].temperature_c, 20.0);
-    EXPECT_EQ(recording.notes, (std::vector<std::string>{"[1].rawOb, column 36: ZZZZ: \"20/2\" is no temperature and dew point", "[2], column 1: has no text \"rawOb\""}));
+    EXPECT_EQ(recording.notes, (std::vector<std::string>{"[1].rawOb, column 37: ZZZZ: \"20/2\" is no temperature and dew point", "[2], column 1: has no text \"rawOb\""}));
 }
 
 TEST(MetarFiles, OtherTextIsNotedOrRefusedInOneLine) {
