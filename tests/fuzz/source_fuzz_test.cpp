@@ -1,7 +1,9 @@
 // A seeded mutator over the decoders of model and station data: whatever comes, it is refused in one line or it is a recording that can
-// be saved and read again. LUFTPOST_FUZZ_INPUTS sets how many inputs each decoder gets, LUFTPOST_FUZZ_SEED the seed.
+// be saved and read again. LUFTPOST_FUZZ_INPUTS sets how many inputs each decoder gets, LUFTPOST_FUZZ_SECONDS how long it may take,
+// LUFTPOST_FUZZ_SEED the seed.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -78,7 +80,8 @@ Score fuzz(std::vector<std::string> const& seeds, std::size_t inputs, bool binar
     SourceContext const context{1.7e9, PlaceWish{47.2, 7.9, {}}};
     auto const parse = [](std::string const& bytes, SourceContext const& its) { return parseSource(bytes, "fuzz", its); };
     Score score;
-    for (; score.tried < inputs && !testing::Test::HasFailure(); ++score.tried) {
+    auto const end = std::chrono::steady_clock::now() + std::chrono::seconds{setting("LUFTPOST_FUZZ_SECONDS", 36000)};
+    for (; score.tried < inputs && std::chrono::steady_clock::now() < end && !testing::Test::HasFailure(); ++score.tried) {
         std::string bytes = seeds[below(random, seeds.size())];
         for (auto n = 1 + below(random, 4); n-- > 0;) mutateOnce(bytes, seeds[below(random, seeds.size())], random, binary);
         score.taken += takes(bytes, context, parse);

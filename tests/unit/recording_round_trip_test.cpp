@@ -167,3 +167,53 @@ TEST(RoundTrip, TheRealFilesAreTheSameAfterTheyWereSavedAsRecordings) {
         EXPECT_EQ(sameAgain(parseSource(core::readFile(file), file.string(), {0.0, PlaceWish{47.5, 7.5, {}}})), one.reports) << file;
     }
 }
+
+namespace {
+/// Both say it and agree to `tolerance`, or neither says it. Counts those that both say.
+std::size_t agrees(std::optional<double> a, std::optional<double> b, double tolerance, std::string const& what) {
+    EXPECT_EQ(a.has_value(), b.has_value()) << what;
+    if (!a || !b) return 0;
+    EXPECT_NEAR(*a, *b, tolerance) << what;
+    return 1;
+}
+
+Recording bundled(std::string const& name) { return readRecording(std::string{LUFTPOST_SOURCE_DIR} + "/assets/weather/" + name); }
+}  // namespace
+
+TEST(RoundTrip, TheBundledDaysHoldTheFiguresThatTheDecodersReadInTheProvidersFiles) {
+    auto const melbourne = tests::sharedWeather(LUFTPOST_SOURCE_DIR, "open-meteo/melbourne_2024-01-16_hourly_cold_front_thunderstorm.json");
+    auto const basel = tests::sharedWeather(LUFTPOST_SOURCE_DIR, "meteoswiss/BAS_10min_2023-06-21_23_thunderstorm_front.csv");
+    if (!std::filesystem::exists(melbourne)) GTEST_SKIP() << melbourne;
+    std::size_t compared = 0;
+    auto const compare = [&](Report const& read, Report const& kept) {
+        std::string const what = core::formatUtc(read.time);
+        EXPECT_EQ(read.time, kept.time);
+        compared += agrees(read.speed_mps, kept.speed_mps, 0.0051, what + " speed") + agrees(read.gust_mps, kept.gust_mps, 0.0051, what + " gust") +
+                    agrees(read.temperature_c, kept.temperature_c, 1e-6, what + " temperature") + agrees(read.pressure_hpa, kept.pressure_hpa, 1e-6, what + " pressure") +
+                    agrees(read.dew_point_c, kept.dew_point_c, 1e-6, what + " dew point") + agrees(read.rate_mm_h, kept.rate_mm_h, 0.0051, what + " rate") +
+                    agrees(read.from_deg, kept.from_deg, 1e-6, what + " direction");
+    };
+    Site const read = parseSource(core::readFile(melbourne), "m", contextOfNow()).sites[0], kept = bundled("melbourne_2024-01-16.json").sites[0];
+    ASSERT_EQ(read.reports.size(), kept.reports.size());
+    for (std::size_t i = 0; i < read.reports.size(); ++i) {
+        Report const &a = read.reports[i], &b = kept.reports[i];
+        compare(a, b);
+        std::string const what = core::formatUtc(a.time);
+        compared += agrees(a.coverLow, b.coverLow, 0.0051, what) + agrees(a.coverMid, b.coverMid, 0.0051, what) + agrees(a.coverHigh, b.coverHigh, 0.0051, what) +
+                    agrees(a.visibility_m, b.visibility_m, 1e-6, what) + agrees(a.cape_j_kg, b.cape_j_kg, 1e-6, what) +
+                    agrees(a.freezingLevel_m, b.freezingLevel_m, 1e-6, what) + agrees(a.snowDepth_m, b.snowDepth_m, 1e-6, what);
+        EXPECT_EQ(a.visibilityIsMinimum, b.visibilityIsMinimum) << what;
+        EXPECT_EQ(a.precipitationKind == Precipitation::None, b.precipitationKind == Precipitation::None) << what;
+        EXPECT_EQ(a.weatherCode, b.weatherCode) << what;
+        EXPECT_EQ(a.thunder, b.thunder) << what;
+        ASSERT_EQ(a.levels.size(), b.levels.size()) << what;
+        for (std::size_t k = 0; k < a.levels.size(); ++k) {
+            EXPECT_EQ(a.levels[k].altitude_m, b.levels[k].altitude_m);
+            compared += agrees(a.levels[k].speed_mps, b.levels[k].speed_mps, 0.0051, what) + agrees(a.levels[k].from_deg, b.levels[k].from_deg, 1e-6, what);
+        }
+    }
+    Site const measured = parseSource(core::readFile(basel), "b", contextOfNow()).sites[0], day = bundled("basel_2023-06-21_23.json").sites[0];
+    ASSERT_EQ(measured.reports.size(), day.reports.size());
+    for (std::size_t i = 0; i < measured.reports.size(); ++i) compare(measured.reports[i], day.reports[i]);
+    EXPECT_GT(compared, 3000u);
+}
