@@ -77,7 +77,7 @@ struct Score {
 
 Score fuzz(std::vector<std::string> const& seeds, std::size_t inputs, bool binary) {
     Random random{setting("LUFTPOST_FUZZ_SEED", 1)};
-    SourceContext const context{1.7e9, PlaceWish{47.2, 7.9, {}}};
+    SourceContext const context{.latest = 1.7e9, .place = PlaceWish{47.2, 7.9, {}}};
     auto const parse = [](std::string const& bytes, SourceContext const& its) { return parseSource(bytes, "fuzz", its); };
     Score score;
     auto const end = std::chrono::steady_clock::now() + std::chrono::seconds{setting("LUFTPOST_FUZZ_SECONDS", 36000)};
@@ -151,7 +151,7 @@ TEST(FuzzSources, MutantsOfStationTablesAreRefusedOrReadNeverACrash) {
 TEST(FuzzSources, MutantsOfGribAreRefusedOrReadNeverACrash) { expectBoth(fuzz(gribSeeds(), setting("LUFTPOST_FUZZ_INPUTS", 2000), true)); }
 
 TEST(FuzzSources, HostileBodiesAreRefusedBeforeTheyFillTheMemory) {
-    SourceContext const context{1.7e9, {}};
+    SourceContext const context{.latest = 1.7e9};
     auto const refused = [&](std::string const& bytes) { return !takes(bytes, context, [](std::string const& b, SourceContext const& c) { return parseSource(b, "fuzz", c); }); };
     EXPECT_TRUE(refused(std::string(65u << 20, ' ')));
     std::string const head = R"({"latitude":1,"longitude":2,"generationtime_ms":1,"hourly":)";

@@ -208,7 +208,7 @@ TEST(Grib, BadFilesAreAnsweredWithMessageAndByteInOneLine) {
     }
     EXPECT_NE(tests::complaintOf([&] { parsed(good, PlaceWish{10.0, 10.0, {}}); }).find("expected a grid over the place 10.00 N 10.00 E"), std::string::npos);
     EXPECT_TRUE(looksLikeGrib(good));
-    EXPECT_EQ(parseSource(good, "x", {0.0, kMiddle}).sites.size(), 9u);
+    EXPECT_EQ(parseSource(good, "x", {.place = kMiddle}).sites.size(), 9u);
 }
 
 TEST(Grib, AllPackingsGiveTheSameFigures) {

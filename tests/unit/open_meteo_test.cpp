@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/weather/open_meteo.h"
 #include "engine/weather/source.h"
+#include "tests/unit/source_files.h"
 
 using namespace luftpost;
 using namespace luftpost::weather;
@@ -22,17 +21,9 @@ Recording parsed(std::string const& bytes) { return parseOpenMeteo(bytes, "body.
 std::vector<Report> reportsOf(std::string const& units, std::string const& arrays) { return parsed(body(units, arrays)).sites.at(0).reports; }
 
 std::string complaintOf(std::string const& bytes) {
-    try {
-        parseOpenMeteo(bytes, "body.json");
-    } catch (core::Error const& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return tests::complaintOf([&] { parsed(bytes); });
 }
-
-std::filesystem::path shared(std::string const& name) {
-    return std::filesystem::path{LUFTPOST_SOURCE_DIR}.parent_path() / "shared/weather/open-meteo" / name;
-}
+std::filesystem::path shared(std::string const& name) { return tests::sharedWeather(LUFTPOST_SOURCE_DIR, "open-meteo/" + name); }
 }  // namespace
 
 TEST(OpenMeteo, AnHourHoldsWhatTheBodySaysInTheUnitsOfAReport) {
@@ -263,6 +254,8 @@ TEST(OpenMeteo, ItIsRecognisedByContent) {
     EXPECT_FALSE(looksLikeOpenMeteo(R"({"format":"luftpost-weather-1","name":"generationtime_ms"})"));
     EXPECT_FALSE(looksLikeOpenMeteo("METAR LSZB 221720Z"));
     EXPECT_EQ(parseSource(good, "x", contextOfNow()).source, "Open-Meteo (model data)");
+    std::string const complaint = tests::complaintOf([] { parseSource("Dear diary, it rained.", "diary.txt", contextOfNow()); });
+    EXPECT_NE(complaint.find("diary.txt: expected weather in one of the formats: GRIB 2, "), std::string::npos) << complaint;
 }
 
 TEST(OpenMeteo, TheRequestAsksForAllThatIsRead) {

@@ -143,7 +143,7 @@ std::string gribOfEverything() {
 }  // namespace
 
 TEST(RoundTrip, EverySourceIsTheSameAfterItWasSavedAsARecording) {
-    SourceContext const context{0.0, PlaceWish{47.2, 7.9, {}}};
+    SourceContext const context{.place = PlaceWish{47.2, 7.9, {}}};
     EXPECT_EQ(sameAgain(parseSource(kOpenMeteo, "x", context)), 2u);
     EXPECT_EQ(sameAgain(parseSource(gribOfEverything(), "x", context)), 9u);
     EXPECT_EQ(sameAgain(parseSource(R"({"metadata":{"modelrun_utc":"","latitude":49.19523,"longitude":16.60812,"height":226,"utc_timeoffset":2},"units":{"temperature":"F",
@@ -164,7 +164,7 @@ TEST(RoundTrip, TheRealFilesAreTheSameAfterTheyWereSavedAsRecordings) {
                            {"meteoblue/brno_2026-04-20_basic-1h.json", 169}, {"meteoswiss/BAS_10min_2023-06-21_23_thunderstorm_front.csv", 432},
                            {"meteoswiss/BAS_observer_2023-01_07.csv", 288}, {"meteoswiss/radiosounding_PAY_2023-06-19_00Z.csv", 1}, {"grib/gfs_clouds_subset.grib2", 9}}) {
         auto const file = tests::sharedWeather(LUFTPOST_SOURCE_DIR, one.file);
-        EXPECT_EQ(sameAgain(parseSource(core::readFile(file), file.string(), {0.0, PlaceWish{47.5, 7.5, {}}})), one.reports) << file;
+        EXPECT_EQ(sameAgain(parseSource(core::readFile(file), file.string(), {.place = PlaceWish{47.5, 7.5, {}}})), one.reports) << file;
     }
 }
 
