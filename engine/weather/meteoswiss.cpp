@@ -90,7 +90,8 @@ Report reportOf(Station const& station, std::size_t row, core::UtcSeconds time) 
     return report;
 }
 
-Site siteOf(Station station, std::string_view abbreviation) {
+/// `rowOf` gets the row of each report.
+Site siteOf(Station station, std::string_view abbreviation, std::vector<std::size_t>& rowOf) {
     Site site;
     auto const known = swissStation(abbreviation);
     site.name = known ? known->name : oneLine(abbreviation, 60);
@@ -103,8 +104,12 @@ Site siteOf(Station station, std::string_view abbreviation) {
         if (!time) throw core::Error(station.table.file(), place, "expected a time such as \"21.06.2023 00:10\" or \"20230621001000\"");
         if (!byTime.emplace(*time, row).second) throw core::Error(station.table.file(), place, fmt::format("expected {} once for {}", core::formatUtc(*time), site.name));
     }
-    for (auto const& [time, row] : byTime) site.reports.push_back(reportOf(station, row, time));
-    keepWhatSpeaks(site.reports);
+    for (auto const& [time, row] : byTime) {
+        Report report = reportOf(station, row, time);
+        if (!saysSomething(report)) continue;
+        site.reports.push_back(std::move(report));
+        rowOf.push_back(row);
+    }
     return site;
 }
 
@@ -153,10 +158,14 @@ Recording parseTenMinutes(std::string_view bytes, std::string const& file) {
         if (order.size() > kMostSites) throw core::Error(file, table.place(row, stationColumn), fmt::format("expected at most {} stations", kMostSites));
     }
     Recording recording{file, {}, "MeteoSwiss (automatic stations)", "Source: MeteoSwiss (open data)", sha256Hex(bytes), {}, {}};
+    std::map<std::size_t, ListedReport> listed;
     for (std::string_view const name : order) {
-        Site site = siteOf({table, timeColumn, rows[name], {}}, name);
+        std::vector<std::size_t> rowOf;
+        Site site = siteOf({table, timeColumn, rows[name], {}}, name, rowOf);
+        for (std::size_t i = 0; i < rowOf.size(); ++i) listed[rowOf[i]] = {recording.sites.size(), i, false};
         if (!site.reports.empty()) recording.sites.push_back(std::move(site));
     }
+    for (auto const& [row, report] : listed) recording.order.push_back(report);
     checkCounts(recording.sites, file);
     if (recording.sites.empty()) throw core::Error(file, "", "expected at least one row with a value that is read here");
     Site const& first = recording.sites.front();

@@ -78,7 +78,7 @@ Json reportJson(Site const& site, Report const& said, Filled const& filled) {
     json["lat"] = numberJson(site.lat_deg);
     json["lon"] = numberJson(site.lon_deg);
     json["elevation_m"] = numberJson(site.elevation_m);
-    json["time"] = core::formatUtc(said.time);
+    json["time"] = filled.contains("time") ? Json() : Json(core::formatUtc(said.time));  // not said: a time that cannot be read
     json["wind"] = {{"speed_mps", numberJson(said.speed_mps)}, {"gust_mps", numberJson(said.gust_mps)}, {"from_deg", numberJson(said.from_deg)}};
     json["visibility_m"] = numberJson(said.visibility_m);
     json["visibility_is_minimum"] = said.visibilityIsMinimum;
@@ -107,6 +107,7 @@ std::string recordingText(Recording const& recording) {
         for (std::size_t k = 0; k < site.reports.size(); ++k) {
             Json report = reportJson(site, site.reports[k], site.reports[k].filled);
             for (char const* key : {"name", "lat", "lon", "elevation_m"}) report.erase(key);
+            report["time"] = core::formatUtc(site.reports[k].time);
             addExtras(report, site.reports[k]);
             text += (k > 0 ? ",\n" : "\n") + dumped(report);
         }

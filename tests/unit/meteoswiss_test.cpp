@@ -65,6 +65,10 @@ TEST(MeteoSwiss, AnEmptyCellIsUnknownAndSeveralStationsAreSeveralSites) {
     EXPECT_NEAR(*basel.reports[0].dew_point_c, 6.5, 0.1);
     EXPECT_FALSE(basel.reports[1].speed_mps || basel.reports[1].gust_mps || basel.reports[1].pressure_hpa || basel.reports[1].dew_point_c);
     EXPECT_EQ(basel.reports[1].precipitationKind, Precipitation::None);
+    ASSERT_EQ(recording.order.size(), 3u) << "as the file lists them";
+    EXPECT_EQ(recording.order[0].report, 1u);
+    EXPECT_EQ(recording.order[1].site, 1u);
+    EXPECT_EQ(recording.order[2].report, 0u);
     Site const& unknown = recording.sites[1];
     EXPECT_EQ(unknown.name, "XYZ");
     EXPECT_FALSE(unknown.lat_deg || unknown.lon_deg || unknown.elevation_m);
