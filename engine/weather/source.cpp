@@ -53,7 +53,8 @@ SourceContext contextOfNow() {
 }
 
 Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context) {
-    if (bytes.size() > kMostBytes) throw core::Error(file, "", fmt::format("expected at most {} MiB, found {}", kMostBytes >> 20, bytes.size() >> 20));
+    if (bytes.size() > kMostBytes)
+        throw core::Error(file, "", fmt::format("expected at most {} MiB, found {}", kMostBytes >> 20, bytes.size() >> 20));
     for (Format const& format : kFormats)
         if (format.looksLike(bytes)) return format.parse(bytes, file, context);
     std::string names;
