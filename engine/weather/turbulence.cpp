@@ -7,12 +7,15 @@
 
 #include "engine/core/frames.h"
 #include "engine/core/math.h"
+#include "engine/weather/ramp.h"
 
 namespace luftpost::weather {
 namespace {
 constexpr double kFoot = core::kMetresPerFoot;
 constexpr double kLow = 1000.0, kHigh = 2000.0, kHighLength = 1750.0;  // ft
 constexpr double kFade = 2000.0;  // m, above 2000 ft: the free air is smoother than the boundary layer
+
+constexpr double kStableFrom = 50.0, kStableTo = 300.0, kStableLoss = 0.7;  // m above ground; of the rms
 
 /// Height, so that small tables can stand for the powers: MIL-F-8785C's h below 1000 ft.
 double shape(double feet) { return 0.177 + 0.000823 * feet; }
@@ -75,19 +78,20 @@ glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
 }
 }  // namespace
 
-Gustiness drydenGustiness(double windGround, double height, double mixing) {
+Gustiness drydenGustiness(double windGround, double height, AirStability stability) {
     double const feet = std::max(height, 3.0) / kFoot;
     double const low = std::min(feet, kLow);
     double const root = core::pow(shape(low), 0.4);
     Gustiness g;
-    g.sigmaVertical = 0.1 * windGround;
+    double const left = 1.0 - kStableLoss * stability.stable * smooth(kStableFrom, kStableTo, height);
+    g.sigmaVertical = 0.1 * windGround * left;
     g.sigmaHorizontal = g.sigmaVertical / root;
     g.lengthVertical = low * kFoot;
     g.lengthHorizontal = low * kFoot / (root * root * root);
     if (feet <= kLow) return g;
     double const up = std::min((feet - kLow) / (kHigh - kLow), 1.0);
     double const above = std::max(0.0, (feet - kHigh) * kFoot);
-    double const free = mixing * severity(windGround) * core::exp(-above / kFade);
+    double const free = left * stability.mixing * severity(windGround) * core::exp(-above / kFade);
     auto const toward = [up](double a, double b) { return a + (b - a) * up; };
     return {toward(g.sigmaHorizontal, free), toward(g.sigmaVertical, free), toward(g.lengthHorizontal, kHighLength * kFoot),
             toward(g.lengthVertical, kHighLength * kFoot)};
