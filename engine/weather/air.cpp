@@ -117,7 +117,8 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     CloudsNow const& clouds = own ? *own : now.clouds;
     CloudEffect const cloud = cloudEffect(clouds, at, {data_->ranks, relief, now.dry, data_->noise, static_cast<double>(now.settings.weatherScale)});
     SlopeWind slope;
-    if (at.height < kSlopeReach) slope = slopeWind(relief.bands(at.east, at.north), mean.wind, at.height, clouds.stirring.stable);
+    if (int const finest = finestFelt(at.height); finest < kReliefBands)
+        slope = slopeWind(relief.bands(at.east, at.north, finest), mean.wind, at.height, clouds.stirring.stable);
 
     double const surface = glm::length(mean.windSurface), w20 = std::max(mean.gust - surface, 0.0) / kGustShare;
     Gustiness const gustiness = gustinessOf(w20, surface, at.height, clouds.stirring, cloud.variance + slope.variance);

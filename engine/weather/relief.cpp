@@ -1,5 +1,6 @@
 #include "engine/weather/relief.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace luftpost::weather {
@@ -9,6 +10,12 @@ constexpr double kMean = 256.0;                    // m, lattice of the finest m
 constexpr double kLowest = -1000.0, kHighest = 15000.0;  // m, of any land
 constexpr double kWarmStep = 512.0;                // m, lattice of the ground's warmth
 constexpr double kWater = 0.25, kSnow = 0.2;       // of the heat that grass gives the air
+
+/// Never given twice, so that what a thread remembers of one relief is never taken for another's.
+std::uint64_t nextId() {
+    static std::atomic<std::uint64_t> latest{0};
+    return ++latest;
+}
 
 PointMemo heightMemo() { return PointMemo{kLowest, kHighest}; }
 
@@ -45,7 +52,7 @@ double mean3(std::int64_t x, std::int64_t y, Node const& node) {
 }  // namespace
 
 Relief::Relief(core::GroundFunction ground)
-    : ground_{std::move(ground)}, heights_{heightMemo()}, warmths_{0.0, 1.0}, means_{heightMemo(), heightMemo(), heightMemo(), heightMemo()} {}
+    : id_{nextId()}, ground_{std::move(ground)}, heights_{heightMemo()}, warmths_{0.0, 1.0}, means_{heightMemo(), heightMemo(), heightMemo(), heightMemo()} {}
 
 double Relief::node(std::int64_t x, std::int64_t y) const {
     return heights_.at(PointMemo::key(x, y), [&] { return ground_(static_cast<double>(x) * kNode, static_cast<double>(y) * kNode).height; });
@@ -62,25 +69,42 @@ double Relief::mean(int level, std::int64_t x, std::int64_t y) const {
     });
 }
 
+/// The nine means around a point as a thread last asked for them: the strips of a wing all lie in one square.
+struct Relief::Patch {
+    std::uint64_t owner = 0;
+    std::int64_t x = 0, y = 0;
+    std::array<double, 9> heights{};
+};
+
+Relief::Patch const& Relief::patch(int level, std::int64_t x, std::int64_t y) const {
+    thread_local std::array<Patch, kReliefBands> patches;
+    Patch& p = patches[static_cast<std::size_t>(level)];
+    if (p.owner == id_ && p.x == x && p.y == y) return p;
+    p = {id_, x, y, {}};
+    for (std::size_t i = 0; i < 9; ++i)
+        p.heights[i] = mean(level, x + static_cast<std::int64_t>(i % 3) - 1, y + static_cast<std::int64_t>(i / 3) - 1);
+    return p;
+}
+
 ReliefBand Relief::spline(int level, double east, double north) const {
-    double const step = kMean * (1 << level), px = east / step, py = north / step;
+    double const perMetre = 1.0 / (kMean * (1 << level)), px = east * perMetre, py = north * perMetre;
     double const x = std::floor(px + 0.5), y = std::floor(py + 0.5);
     Weights const u{px - x}, v{py - y};
+    std::array<double, 9> const& h = patch(level, static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)).heights;
     ReliefBand sum;
-    for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t i = 0; i < 3; ++i) {
-            double const h = mean(level, static_cast<std::int64_t>(x) + static_cast<std::int64_t>(i) - 1,
-                                  static_cast<std::int64_t>(y) + static_cast<std::int64_t>(j) - 1);
-            sum.height += u.value[i] * v.value[j] * h;
-            sum.slope += glm::dvec2{u.slope[i] * v.value[j], u.value[i] * v.slope[j]} * (h / step);
-        }
+    for (std::size_t j = 0; j < 3; ++j) {
+        double const a = h[3 * j], b = h[3 * j + 1], c = h[3 * j + 2];
+        double const value = u.value[0] * a + u.value[1] * b + u.value[2] * c;
+        sum.height += v.value[j] * value;
+        sum.slope += glm::dvec2{v.value[j] * (u.slope[0] * a + u.slope[1] * b + u.slope[2] * c), v.slope[j] * value} * perMetre;
+    }
     return sum;
 }
 
-ReliefBands Relief::bands(double east, double north) const {
+ReliefBands Relief::bands(double east, double north, int finest) const {
     ReliefBands bands;
     ReliefBand coarse;
-    for (int level = kReliefBands - 1; level >= 0; --level) {
+    for (int level = kReliefBands - 1; level >= finest; --level) {
         ReliefBand const fine = spline(level, east, north);
         bool const first = level == kReliefBands - 1;
         bands[static_cast<std::size_t>(level)] = {first ? 0.0 : fine.height - coarse.height, fine.slope - coarse.slope};

@@ -27,17 +27,21 @@ public:
 
     /// The four sizes: quadratic splines through means at nodes, so that slopes have kinks but no steps. The first question near a
     /// place asks some thousand heights, each further kilometre a few hundred.
-    ReliefBands bands(double east, double north) const;
+    /// Sizes below `finest` are left 0.
+    ReliefBands bands(double east, double north, int finest = 0) const;
 
     /// How well the sun heats the air over the ground, 0..1: grass and rock 1, snow and water much less.
     double warmth(double east, double north) const;
 
 private:
+    struct Patch;
     double node(std::int64_t x, std::int64_t y) const;
+    Patch const& patch(int level, std::int64_t x, std::int64_t y) const;
     double mean(int level, std::int64_t x, std::int64_t y) const;
     double warmthNode(std::int64_t x, std::int64_t y) const;
     ReliefBand spline(int level, double east, double north) const;
 
+    std::uint64_t id_;
     core::GroundFunction ground_;
     PointMemo heights_, warmths_;
     std::array<PointMemo, kReliefBands> means_;

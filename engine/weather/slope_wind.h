@@ -10,8 +10,8 @@ struct SlopeWind {
     double variance = 0.0;  // m2/s2, of the turbulence it adds
 };
 
-/// Above this height over the ground (m) the land is not felt: slopeWind gives nothing.
-inline constexpr double kSlopeReach = 2400.0;
+/// The finest size of the relief that is felt at a height above ground, m; kReliefBands: none, and slopeWind gives nothing.
+int finestFelt(double height);
 
 /// `wind`: the mean wind at the point, m/s. `height`: above the ground, m. `stable`: 0..1.
 ///

@@ -48,33 +48,27 @@ std::array<double, kSizes.size()> amplitudes(double length) {
     return shares;
 }
 
-std::uint64_t hashed(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
-    std::uint64_t h = seed ^ static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu ^
-                      static_cast<std::uint64_t>(z) * 0x165667B19E3779F9u;
-    h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9u;
-    return h ^ (h >> 32);
-}
-
-/// Three values uniform on -1..1 at a lattice point.
-glm::dvec3 corner(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
-    std::uint64_t const h = hashed(x, y, z, seed);
-    constexpr double kUnit = 2.0 / 2097151.0;
-    return {static_cast<double>(h & 0x1FFFFFu) * kUnit - 1.0, static_cast<double>((h >> 21) & 0x1FFFFFu) * kUnit - 1.0,
-            static_cast<double>((h >> 42) & 0x1FFFFFu) * kUnit - 1.0};
-}
-
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
-glm::dvec3 mixed(glm::dvec3 const& a, glm::dvec3 const& b, double u) { return a + (b - a) * u; }
 
+/// Noise between values uniform on -1..1 at the points of a lattice, three components at once.
 glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
     glm::dvec3 const whole{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
-    auto const x = static_cast<std::int64_t>(whole.x), y = static_cast<std::int64_t>(whole.y), z = static_cast<std::int64_t>(whole.z);
+    auto const part = [](double n, std::uint64_t factor) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(n)) * factor; };
+    constexpr std::uint64_t kX = 0x9E3779B97F4A7C15u, kY = 0xC2B2AE3D27D4EB4Fu, kZ = 0x165667B19E3779F9u;
+    std::uint64_t const x = part(whole.x, kX), y = part(whole.y, kY), z = part(whole.z, kZ);
     double const u = fade(p.x - whole.x), v = fade(p.y - whole.y), w = fade(p.z - whole.z);
-    glm::dvec3 const below = mixed(mixed(corner(x, y, z, seed), corner(x + 1, y, z, seed), u),
-                                   mixed(corner(x, y, z + 1, seed), corner(x + 1, y, z + 1, seed), u), w);
-    glm::dvec3 const above = mixed(mixed(corner(x, y + 1, z, seed), corner(x + 1, y + 1, z, seed), u),
-                                   mixed(corner(x, y + 1, z + 1, seed), corner(x + 1, y + 1, z + 1, seed), u), w);
-    return mixed(below, above, v);
+    double const along[2]{1.0 - u, u}, up[2]{1.0 - v, v}, across[2]{1.0 - w, w};
+    glm::dvec3 sum{0.0};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        unsigned const i = corner & 1u, j = corner >> 1 & 1u, k = corner >> 2;
+        std::uint64_t h = seed ^ (x + i * kX) ^ (y + j * kY) ^ (z + k * kZ);
+        h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9u;
+        h ^= h >> 32;
+        double const weight = along[i] * up[j] * across[k];
+        auto const value = [h](unsigned from) { return static_cast<double>(static_cast<std::int32_t>(h >> from & 0x1FFFFFu)); };
+        sum += weight * glm::dvec3{value(0), value(21), value(42)};
+    }
+    return sum * (2.0 / 2097151.0) - glm::dvec3{1.0};
 }
 }  // namespace
 
