@@ -44,7 +44,7 @@ glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double belo
 Convection cumulusConvection(UnderCloud const& at) {
     Inside const inside = insideOf(at.rank, at.threshold, std::min(kEdge, at.threshold));
     double const latent = kLatent * (1.0 - at.heating) * smooth(at.base - 100.0, at.base + 200.0, at.altitude);
-    double const speed = (0.8 + std::min(at.top - at.base, 2500.0) / 1200.0) * (at.heating + latent);
+    double const speed = (1.2 + std::min(at.top - at.base, 2500.0) / 900.0) * (at.heating + latent);
     Convection result;
     result.lift = speed * (inside.here - inside.mean) * cloudThermal(at);
     result.sigma = inside.here * (0.25 * speed * cloudThermal(at) + 0.7 * within(at));

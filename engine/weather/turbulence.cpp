@@ -28,29 +28,55 @@ double severity(double windGround) {
 }
 
 /// The sizes of the noise: distance of its lattice points, m.
-constexpr std::array<double, 6> kSizes{22.0, 55.0, 140.0, 350.0, 880.0, 2200.0};
-/// Mean square of trilinear noise with quintic fades between values uniform on -1..1: (181/231)^3 / 3.
-constexpr double kNoiseSquare = 0.160354;
+constexpr std::array<double, 6> kSizes{9.0, 22.0, 55.0, 140.0, 350.0, 880.0};
+using Shares = std::array<double, kSizes.size()>;
+/// Mean square of the noise, that of values uniform on -1..1.
+constexpr double kNoiseSquare = 1.0 / 3.0;
 
-/// One wave of a lattice of distance d has a length near 2.5 d.
-constexpr double kWavesPerSize = 2.0 * core::kPi / 2.5;
-
-/// Dryden's share of the variance at each size, L k / (1 + (L k)^2) per octave, made to sum to 1; as amplitudes.
-std::array<double, kSizes.size()> amplitudes(double length) {
-    std::array<double, kSizes.size()> shares;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < kSizes.size(); ++i) {
-        double const lk = length * kWavesPerSize / kSizes[i];
-        shares[i] = lk / (1.0 + lk * lk);
-        sum += shares[i];
+/// The amplitude of each size, by the length of the gusts. Such noise is white for waves longer than its lattice and ends below:
+/// shares of the variance near the lattice's distance over the length, cut off where it is longer, sum to Dryden's spectra within a
+/// quarter from a twentieth of the wave number 1/L up to the smallest size (fitted; turbulence_test measures it). Tables in the square root of the length, because the air asks thousands of times a second.
+class Amplitudes {
+public:
+    explicit Amplitudes(bool vertical) {
+        for (std::size_t n = 0; n < kNodes; ++n) nodes_[n] = made(vertical, lengthOf(n));
     }
-    for (double& share : shares) share = std::sqrt(share / (sum * kNoiseSquare));
-    return shares;
-}
+    Shares at(double length) const {
+        double const x = std::clamp(std::sqrt(length) * kPerRoot, 1.0, kNodes - 1.001);
+        auto const n = static_cast<std::size_t>(x);
+        double const u = x - static_cast<double>(n);
+        Shares shares;
+        for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = nodes_[n][i] + (nodes_[n + 1][i] - nodes_[n][i]) * u;
+        return shares;
+    }
+
+private:
+    static constexpr std::size_t kNodes = 98;
+    static constexpr double kHorizontalCut = 2.7, kVerticalCut = 1.67;  // lengths
+    static constexpr double kPerRoot = 4.0;  // nodes a root metre: to 580 m
+    static double lengthOf(std::size_t n) {
+        double const root = std::max(static_cast<double>(n), 1.0) / kPerRoot;
+        return root * root;
+    }
+    static Shares made(bool vertical, double length) {
+        Shares shares;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            double const y = kSizes[i] / length, cut = y / (vertical ? kVerticalCut : kHorizontalCut);
+            shares[i] = y * core::exp(-cut * cut * cut);
+            if (i == 0) shares[i] = std::max(shares[i], 1e-30);  // shorter gusts than the smallest size have that
+            sum += shares[i];
+        }
+        for (double& share : shares) share = std::sqrt(share / (sum * kNoiseSquare));
+        return shares;
+    }
+    std::array<Shares, kNodes> nodes_{};
+};
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
-/// Noise between values uniform on -1..1 at the points of a lattice, three components at once.
+/// Noise between values uniform on -1..1 at the points of a lattice, three components at once. What the mixing of eight values takes from their
+/// variance is given back, so that no altitude is smoother than another.
 glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
     glm::dvec3 const whole{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
     auto const part = [](double n, std::uint64_t factor) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(n)) * factor; };
@@ -68,7 +94,8 @@ glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
         auto const value = [h](unsigned from) { return static_cast<double>(static_cast<std::int32_t>(h >> from & 0x1FFFFFu)); };
         sum += weight * glm::dvec3{value(0), value(21), value(42)};
     }
-    return sum * (2.0 / 2097151.0) - glm::dvec3{1.0};
+    auto const kept = [](double t) { return t * t + (1.0 - t) * (1.0 - t); };
+    return (sum * (2.0 / 2097151.0) - glm::dvec3{1.0}) / std::sqrt(kept(u) * kept(v) * kept(w));
 }
 }  // namespace
 
@@ -94,7 +121,8 @@ Gustiness drydenGustiness(double windGround, double height, AirStability stabili
 glm::dvec3 gustAt(glm::dvec3 const& point, Gustiness const& g, unsigned seed) {
     glm::dvec3 gust{0.0};
     if (g.sigmaHorizontal <= 0.0 && g.sigmaVertical <= 0.0) return gust;
-    auto const across = amplitudes(g.lengthHorizontal), up = amplitudes(g.lengthVertical);
+    static Amplitudes const horizontal{false}, vertical{true};
+    Shares const across = horizontal.at(g.lengthHorizontal), up = vertical.at(g.lengthVertical);
     for (std::size_t i = 0; i < kSizes.size(); ++i) {
         double const a = g.sigmaHorizontal * across[i], b = g.sigmaVertical * up[i];
         if (a * a + b * b < 1e-6) continue;
