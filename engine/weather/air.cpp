@@ -13,7 +13,6 @@
 namespace luftpost::weather {
 namespace {
 constexpr double kGasConstant = 287.05287;    // J/(kg K), dry air (ISO 2533)
-constexpr double kLapse = 0.0065, kTropopause = 11000.0;  // K/m, m (ISO 2533)
 constexpr double kGustShare = 0.567;          // of W20: three rms of Dryden's gusts at 10 m
 constexpr double kHazeFrom = 500.0, kHazeScale = 1500.0;  // m above ground: haze is even below, thins out above
 constexpr double kClearAir = 2.5e5;           // m, visibility in air without any haze
@@ -26,9 +25,6 @@ std::vector<unsigned> patternsOf(Field const& field) {
     patterns.push_back(kDryPattern);
     return patterns;
 }
-
-/// Undoes the lapse of the mean air.
-double temperatureSea(double temperature, double altitude) { return temperature + kLapse * std::min(altitude, kTropopause); }
 }  // namespace
 
 struct Air::Data {
@@ -65,8 +61,7 @@ AirInstant Air::instant(core::UtcSeconds time, CloudSettings const& settings) co
     now->sun = sunHeating(field.place(), time);
     now->dry = dryLayer(now->drift, (time - field.start()) / 3600.0);
     if (now->field.uniform())
-        now->clouds = cloudsOf(now->field.at(0.0, 0.0), data_->seed, settings, data_->noise != nullptr, now->sun,
-                               now->field.meanAir(0.0, 0.0, 0.0, 0.0).temperature);
+        now->clouds = cloudsOf(now->field.at(0.0, 0.0), data_->seed, settings, data_->noise != nullptr, now->sun);
     return AirInstant{data_, std::move(now)};
 }
 
@@ -107,13 +102,12 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     Now const& now = *now_;
     Relief const& relief = data_->relief;
     AirPoint at = pointOf(positionWorld, relief.height(positionWorld.x, -positionWorld.z));
-    MeanAir const mean = now.field.meanAir(at.east, at.north, at.ground + at.height, at.ground);
+    MeanAir const mean = now.field.meanAir(at.east, at.north, at.altitude, at.ground);
     at.temperature = mean.temperature;
 
     std::optional<CloudsNow> own;  // where the sites differ, so do the clouds from point to point
     if (!now.field.uniform())
-        own = cloudsOf(now.field.at(at.east, at.north), data_->seed, now.settings, data_->noise != nullptr, now.sun,
-                       temperatureSea(mean.temperature, at.ground + at.height));
+        own = cloudsOf(now.field.at(at.east, at.north), data_->seed, now.settings, data_->noise != nullptr, now.sun);
     CloudsNow const& clouds = own ? *own : now.clouds;
     CloudEffect const cloud = cloudEffect(clouds, at, {data_->ranks, relief, now.dry, data_->noise, static_cast<double>(now.settings.weatherScale)});
     SlopeWind slope;

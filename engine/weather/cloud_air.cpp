@@ -141,8 +141,8 @@ void addFallen(Weather const& weather, double temperature, CloudEffect& effect) 
 }
 }  // namespace
 
-CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun, double temperatureSea) {
-    CloudsNow clouds{weather, CloudColumns{weather, seed, settings}.bare(), {}, stirringOf(weather, sun, temperatureSea), showerRate(weather), {}};
+CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun) {
+    CloudsNow clouds{weather, CloudColumns{weather, seed, settings}.bare(), {}, stirringOf(weather, sun), showerRate(weather), {}};
     if (withShape) clouds.shape = cloudShape(weather, seed, glm::dvec2{0.0}, settings);
     // The outline lies where the rank is the cover. What the clouds are made from lies further out (calibratedCover).
     for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i)

@@ -21,8 +21,8 @@ struct CloudsNow {
     double showerRate = 0.0;    // mm/h, of showerRate()
     std::array<double, kMaxLayers> visible{};  // share of the plane where a layer is seen: the rank below which there is cloud
 };
-/// `sun`: of sunHeating; `temperatureSea`: K, reduced to sea level.
-CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun, double temperatureSea);
+/// `sun`: of sunHeating.
+CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun);
 
 /// The pattern of the thermals that have no cloud; Ranks must know it.
 inline constexpr unsigned kDryPattern = 0x7e3a11u;

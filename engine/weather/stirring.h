@@ -15,9 +15,9 @@ struct Stirring {
 /// The sun that the ground has taken up: the mean of its height now and an hour and a half before (mornings lag), as 0..1.
 double sunHeating(core::Place const& place, core::UtcSeconds time);
 
-/// `sun`: of sunHeating. `temperatureSea`: the temperature reduced to sea level, K: where it is not above the standard atmosphere's nothing
-/// says that the ground is hot, and there are no thermals without cloud.
-Stirring stirringOf(Weather const& weather, double sun, double temperatureSea);
+/// `sun`: of sunHeating. Where it is no warmer than in the standard atmosphere nothing says that the ground is hot, and there are no
+/// thermals without cloud.
+Stirring stirringOf(Weather const& weather, double sun);
 
 /// Share of the sky that takes the sun away, 0..1, all layers together (random overlap; thin high cloud counts a third).
 double shadingCover(Weather const& weather);
