@@ -57,7 +57,7 @@ void addCumulus(LayerAir const& l) {
     double const blend = smooth(l.base() - 200.0, l.base(), l.at.altitude);  // what has reached the base has left its ground
     UnderCloud under = underCloud(l.column, l.visible, l.at, l.sky.stirring.heating * (warmth + (1.0 - warmth) * blend));
     double const below = std::max(l.base() - l.at.altitude, 0.0);
-    under.rank = l.rankAt(thermalLean(l.sky.weather.windSurface, l.layer.wind, below, riseSpeed(l.top() - l.base())));
+    under.rank = l.rankAt(thermalLean(l.sky.weather.windSurface, l.layer.wind, below, l.base() - l.at.ground, riseSpeed(l.top() - l.base())));
     l.add(cumulusConvection(under));
 }
 
@@ -116,7 +116,7 @@ void addDryThermals(CloudsNow const& sky, AirPoint const& at, CloudAirSources co
     Stirring const& s = sky.stirring;
     if (!(s.dry * s.heating > 0.0) || at.height >= s.depth) return;
     glm::dvec2 const wind = sky.weather.windSurface;
-    glm::dvec2 const lean = thermalLean(wind, kDryWind * wind, s.depth - at.height, riseSpeed(s.depth));
+    glm::dvec2 const lean = thermalLean(wind, kDryWind * wind, s.depth - at.height, s.depth, riseSpeed(0.0));
     double const rank = from.ranks.at(from.dry, 1.0, at.east + lean.x, at.north + lean.y);
     double const heating = s.heating * from.relief.warmth(at.east, at.north);
     Convection const c = dryConvection(rank, at.height, s.depth, heating, s.dry);

@@ -35,10 +35,11 @@ double within(UnderCloud const& at) {
 }
 }  // namespace
 
-double riseSpeed(double thickness) { return 1.6 + std::min(thickness, 2500.0) / 1200.0; }
+double riseSpeed(double thickness) { return 3.0 + std::min(thickness, 2500.0) / 900.0; }
 
-glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double below, double speed) {
-    return (0.25 * windSurface + 0.75 * windCloud) * (below / speed);
+glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double below, double depth, double speed) {
+    double const share = std::min(below / std::max(depth, 1.0), 1.0), ground = 0.25 * share * share;
+    return (ground * windSurface + (1.0 - ground) * windCloud) * (below / speed);
 }
 
 Convection cumulusConvection(UnderCloud const& at) {

@@ -30,11 +30,12 @@ Convection dryConvection(double rank, double height, double depth, double heatin
 /// Of a cumulonimbus: the cores above its base, by CAPE (J/kg), at most 16 m/s; `at.rank` is that of the cores.
 Convection stormUpdraught(UnderCloud const& at, double cape);
 
-/// The speed at which thermals rise, for their lean: m/s, from the cloud's thickness, m.
+/// The speed at which the warm air itself rises, for its lean: m/s, from the cloud's thickness, m. It is about twice the lift that an
+/// aircraft meets, the mean over what is as wide as its turn.
 double riseSpeed(double thickness);
 
 /// What rises through a point meets the cloud's base this far away, m east and north: the wind, over the time that the rest of the way
-/// takes. The mean wind on the way is near a quarter of that at the ground and three quarters of that at the cloud (exact within
-/// 3 % for the power law 0.16). `below`: m under the base, >= 0.
-glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double below, double speed);
+/// takes. The mean wind from the height z to the base b is that at the cloud and, by (1 - z/b)^2 / 4, that at the ground: within 2 % of
+/// the power law 0.16's. `below`: b - z, m, 0..`depth`; `depth`: b, m above ground.
+glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double below, double depth, double speed);
 }  // namespace luftpost::weather

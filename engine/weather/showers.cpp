@@ -40,16 +40,17 @@ double showerShare(Genus genus) {
         case Genus::Ns:
         case Genus::Cb: return 1.0;
         case Genus::Cu: return 0.4;
-        case Genus::As: return 0.3;
-        case Genus::Sc: return 0.25;
-        case Genus::St: return 0.15;
+        case Genus::As: return 0.1;
+        case Genus::Sc:
+        case Genus::St: return 0.05;
         default: return 0.0;
     }
 }
 
 Inside showerInside(Genus genus, double rank, double cover) {
-    double const edge = isStorm(genus) ? 0.5 : 0.25;
-    return insideOf(rank, cover + edge * smooth(0.8, 1.0, cover), std::min(edge, std::max(cover, 0.01)));
+    // A storm's rain grows to its middle; of the others only the rim is weaker, and of a closed layer nothing.
+    double const edge = isStorm(genus) ? cover : std::min(0.25, cover), closed = isStorm(genus) ? 0.0 : 0.25 * smooth(0.8, 1.0, cover);
+    return insideOf(rank, cover + closed, std::max(edge, 0.01));
 }
 
 double showerRate(Weather const& weather) {

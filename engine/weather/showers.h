@@ -13,7 +13,7 @@ struct Falling {
 /// How readily a genus lets fall what the report says, 0: never.
 double showerShare(Genus genus);
 
-/// How deep inside a precipitating layer a rank lies. `cover`: of the cloud to be seen, 0..1; a closed layer rains everywhere.
+/// How deep inside a precipitating layer a rank lies. `cover`: of the cloud to be seen, 0..1; closed stratus rains everywhere alike.
 Inside showerInside(Genus genus, double rank, double cover);
 
 /// mm/h that fall per unit of showerInside::here and of showerShare, so that all layers of the weather together fall at its rate in the

@@ -8,7 +8,7 @@ namespace luftpost::weather {
 namespace {
 constexpr double kFull = 130.0;  // m above ground: up to here a slope is felt in full
 /// 1/k of each size of the relief, m: a size of which half a wave is 400 m, 800 m, 1.6 km; the last one ends the reach.
-constexpr std::array<double, kReliefBands> kDepth{130.0, 230.0, 420.0, 750.0};
+constexpr std::array<double, kReliefBands> kDepth{120.0, 200.0, 370.0, 680.0};
 constexpr double kReach = 3.0;                 // depths
 constexpr double kSpeedUp = 1.1;               // of k h: so that a ridge of bell shape comes near Taylor and Lee's 2 H/L
 constexpr double kSlowest = -0.5, kFastest = 0.6;  // of the wind

@@ -141,23 +141,6 @@ TEST(Air, LiftUnderCumulusSumsToNothingOverThePlane) {
     }
 }
 
-TEST(Air, RainDragsTheAirDownUnderACumulonimbusAndTheAirRisesAboveItsBase) {
-    UnderCloud at;
-    at.rank = 0.1;
-    at.threshold = 0.85;
-    at.ground = 300.0;
-    at.base = 1100.0;
-    at.top = 10800.0;
-    at.rain = 20.0;
-    at.altitude = 700.0;
-    EXPECT_LT(stormConvection(at).lift, -3.0);
-    at.altitude = 4000.0;
-    EXPECT_GT(stormConvection(at).lift, 6.0);
-    EXPECT_GT(stormConvection(at).sigma, 3.0);
-    at.rank = 0.95;
-    EXPECT_EQ(stormConvection(at).lift, 0.0);
-}
-
 TEST(Air, NoWindGoesThroughTheGround) {
     Field const field = loadWeather("preset:storm");
     AirInstant const air = airOf(field).instant(noon());
