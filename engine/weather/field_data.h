@@ -142,7 +142,6 @@ struct Field::Data {
     std::vector<Extent> extents(std::size_t site, double time) const;
     SiteNow siteNow(std::size_t site, double time) const { return {siteWeather(site, time), profile(site, time), masses(site, time), extents(site, time)}; }
     double readingTimeAt(std::size_t site, double east, double north, double time) const;
-    glm::dvec2 windAtOrigin(double altitude, double time) const;
     std::vector<double> allTimes() const;
     void build();
     void findFronts();

@@ -89,7 +89,9 @@ Precipitation kindByTemperature(double temperature) {
 
 void fillPrecipitation(Report const& said, FullReport& full) {
     auto const coded = fallenFromCode(said.weatherCode);
-    bool const openKind = !said.precipitationKind || *said.precipitationKind == Precipitation::Unknown;
+    // Nothing falls at the moment of the report, but something did in its interval: the kind of that is open too.
+    bool const over = said.precipitationKind == Precipitation::None && said.rate_mm_h.value_or(0.0) > 0.0;
+    bool const openKind = !said.precipitationKind || *said.precipitationKind == Precipitation::Unknown || over;
     bool const knownFalls = !openKind && *said.precipitationKind != Precipitation::None;
     if (said.rate_mm_h) {
         full.rate = *said.rate_mm_h;
@@ -175,9 +177,14 @@ void addFilledLayer(FullLayer const& layer, FullReport& full) {
     full.filled[fmt::format("layers[{}].top_m", i)] = layer.top;
 }
 
-/// A sky of which no layer was reported: cover by level, else the total, else the obscured sky's fog, else, at a place where nobody
-/// ever looks up, what comes down.
+/// A sky of which no layer was reported: the file's own filling, else cover by level, else the total, else the obscured sky's fog,
+/// else, at a place where nobody ever looks up, what comes down.
 void fillUnsaidLayers(Report const& said, Signs const& signs, bool watched, FullReport& full) {
+    if (said.filled.contains("layers[0].genus")) {
+        for (std::size_t i = 0; said.filled.contains(fmt::format("layers[{}].genus", i)); ++i)
+            full.layers.push_back(fullLayer(signs, {}, said.filled, i, full.filled));
+        return;
+    }
     bool const byLevel = said.coverLow || said.coverMid || said.coverHigh;
     std::optional<double> total = said.coverTotal;
     if (!total && !byLevel && !watched && !said.verticalVisibility_m) total = coverFromRadiation(signs);
@@ -315,6 +322,8 @@ std::vector<FullReport> fullReports(Site const& site) {
         Report const& said = site.reports[i];
         FullReport full;
         full.time = said.time;
+        if (auto const own = said.filled.find("time"); own != said.filled.end()) full.filled.insert(*own);
+        if (!site.elevation_m) full.filled["elevation_m"] = elevation;
         full.interval = said.interval_s.value_or(i > 0 ? said.time - site.reports[i - 1].time : kUsualInterval);
         fillWind(wind, i, said, full);
         fillMasses(temperature, dewPoint, pressure, i, full);
