@@ -64,6 +64,23 @@ TEST(Storm, TheDownburstStandsInTheRainAndBlowsOutOfIt) {
     EXPECT_GT(outward / speeds, 3.0) << "mm/h less rain ahead than behind";
 }
 
+TEST(Storm, TheUpdraughtStandsBeforeTheRain) {
+    Storm const storm;
+    glm::dvec2 const wind = storm.clouds.weather.layers[0].wind;
+    ASSERT_GT(glm::length(wind), 5.0);
+    glm::dvec2 const lead = 1200.0 * wind / glm::length(wind);
+    double behind = 0.0, ahead = 0.0;
+    int cores = 0;
+    over(storm, 4500.0, [&](CloudEffect const& e, double east, double north) {
+        if (e.lift < 6.0) return;
+        behind += storm.at(east - lead.x, north - lead.y, 200.0).rain;
+        ahead += storm.at(east + lead.x, north + lead.y, 200.0).rain;
+        ++cores;
+    });
+    ASSERT_GT(cores, 20);
+    EXPECT_GT(behind, 1.5 * ahead);
+}
+
 TEST(Storm, NoAirComesFromNowhere) {
     // Divergence of the downburst by differences, over points, heights and places: less than a hundredth of its parts.
     Storm const storm;
