@@ -18,7 +18,7 @@ struct Convection {
 };
 
 /// Of a cumulus. Below the base the profile of a mixed layer's updraughts, (z/zi)^(1/3) near the ground (Lenschow and Stephens 1980;
-/// Allen 2006, AIAA 2006-1510, equation 1), but alive at the base, where the cloud takes over. 1 to 3 m/s under a
+/// Allen 2006, AIAA 2006-1510), but alive at the base, where the cloud takes over. 1 to 3 m/s under a
 /// cloud at noon; by night only what the cloud's own warmth lifts inside it.
 Convection cumulusConvection(UnderCloud const& at);
 

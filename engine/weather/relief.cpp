@@ -52,7 +52,8 @@ double mean3(std::int64_t x, std::int64_t y, Node const& node) {
 }  // namespace
 
 Relief::Relief(core::GroundFunction ground)
-    : id_{nextId()}, ground_{std::move(ground)}, heights_{heightMemo()}, warmths_{0.0, 1.0}, means_{heightMemo(), heightMemo(), heightMemo(), heightMemo()} {}
+    : id_{nextId()}, ground_{std::move(ground)}, heights_{heightMemo()}, warmths_{0.0, 1.0},
+      means_{heightMemo(), heightMemo(), heightMemo(), heightMemo()} {}
 
 double Relief::node(std::int64_t x, std::int64_t y) const {
     return heights_.at(PointMemo::key(x, y), [&] { return ground_(static_cast<double>(x) * kNode, static_cast<double>(y) * kNode).height; });

@@ -9,7 +9,7 @@ namespace luftpost::weather {
 namespace {
 constexpr double kLag = 5400.0;                // s: the ground warms after the sun
 constexpr double kStandard = 288.15, kLapse = 0.0065;  // K at sea level, K/m (ISO 2533)
-constexpr double kHeatFlux = 0.2;              // K m/s under a high sun over dry grass (Stull 1988, figure 2.9)
+constexpr double kHeatFlux = 0.2;              // K m/s under a high sun over dry grass (Stull 1988)
 constexpr double kBuoyancy = 9.80665 / 300.0;  // m/(s2 K)
 constexpr double kThin = 0.33;                 // of the sun that a high layer's cover takes away
 

@@ -14,7 +14,6 @@ namespace {
 constexpr double kFoot = core::kMetresPerFoot;
 constexpr double kLow = 1000.0, kHigh = 2000.0, kHighLength = 1750.0;  // ft
 constexpr double kFade = 2000.0;  // m, above 2000 ft: the free air is smoother than the boundary layer
-
 constexpr double kStableFrom = 50.0, kStableTo = 300.0, kStableLoss = 0.7;  // m above ground; of the rms
 
 /// Height, so that small tables can stand for the powers: MIL-F-8785C's h below 1000 ft.
@@ -35,7 +34,8 @@ constexpr double kNoiseSquare = 1.0 / 3.0;
 
 /// The amplitude of each size, by the length of the gusts. Such noise is white for waves longer than its lattice and ends below:
 /// shares of the variance near the lattice's distance over the length, cut off where it is longer, sum to Dryden's spectra within a
-/// quarter from a twentieth of the wave number 1/L up to the smallest size (fitted; turbulence_test measures it). Tables in the square root of the length, because the air asks thousands of times a second.
+/// third from a twentieth of the wave number 1/L up to the smallest size, for lengths above 50 m (fitted; turbulence_test measures it).
+/// Tables in the square root of the length, because the air asks thousands of times a second.
 class Amplitudes {
 public:
     explicit Amplitudes(bool vertical) {

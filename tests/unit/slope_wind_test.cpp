@@ -29,8 +29,8 @@ struct Ridge {
 constexpr glm::dvec2 kWest{10.0, 0.0};
 }  // namespace
 
-// "Welch, Welch and Irving, New Soaring Pilot", and the article on lift in Wikipedia: ridges are soared in 10 m/s of wind, where gliders sink at about
-// 0.8 m/s, up to about twice the ridge's height.
+// "With winds of 20 to 25 knots it is possible to soar up to two times the height of the obstacle" (Wikipedia, "Lift (soaring)"), with gliders that
+// sink at about 0.8 m/s.
 TEST(SlopeWind, ARidgeCarriesAGliderUpToTwiceItsHeight) {
     for (double const height : {150.0, 300.0}) {
         Ridge const ridge{height, 2.0 * height};
