@@ -17,7 +17,7 @@ weather::Field fieldOf(WeatherInput const& input, core::Place const& place, weat
     weather::Recording recording = weather::parseRecording(input.recording, input.source);
     weather::Origin origin{input.mode, recording.name, recording.source, recording.licence, recording.sha256, input.fetched};
     if (!before || input.seconds <= 0.0) return weather::fieldFrom(std::move(recording), std::move(origin), wishFor(place));
-    return weather::fieldFrom(std::move(recording), std::move(origin), wishFor(place));  // weather::nextField
+    return weather::nextField(*before, std::move(recording), std::move(origin), input.from, input.seconds);
 }
 }  // namespace
 
