@@ -115,7 +115,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
 /// the eye.
 struct Scene {
     explicit Scene(CommonOptions const& common)
-        : field{weather::loadWeather(weatherSource(common), groundWish(common))},
+        : field{loadField(weatherSource(common), groundWish(common), common)},
           seed{common.seed.value_or(kUsualSeed)},
           place{field.place()},
           land{seed, place.altitude_m},
