@@ -8,7 +8,7 @@
 namespace luftpost::platform {
 struct HttpRequest {
     std::string url;                         // http or https; a server's certificate is always checked
-    std::string etag, lastModified;          // of the answer in hand, empty: none; unchanged, the server says 304
+    std::string etag{}, lastModified{};      // of the answer in hand, empty: none; unchanged, the server says 304
     double connect_s = 10.0, total_s = 30.0; // time-outs
     double silent_s = 10.0;                  // given up after so long with hardly a byte
     std::size_t mostBytes = 8u << 20;        // of the body, unpacked

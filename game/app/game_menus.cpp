@@ -6,6 +6,7 @@
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
 #include "engine/weather/recording.h"
+#include "engine/weather/source.h"
 #include "game/app/game.h"
 #include "game/app/live_weather.h"
 
@@ -139,6 +140,7 @@ void Game::followWeatherSettings() {
     if (!wanted.live) return feed_.reset();
     if (feed_ && feed_->settings() == wanted) return;
     bool const window = surface_.hasWindow();
+    if (!feed_ && window) session_->input(ClockInput{weather::contextOfNow().latest});  // live is now
     feed_ = std::make_shared<WeatherFeed>(wanted, window ? FeedPace::beside : FeedPace::inLine, feedCacheFolder(wanted, window));
 }
 
@@ -163,8 +165,8 @@ ui::MenuWeather Game::menuWeather() const {
     ProviderFacts const& facts = factsOf(feed_->settings().provider);
     FeedStatus const status = feed_->status(feedTime(*feed_, session_->simulation()));
     menu.current = kLiveSource;
-    menu.live = {status.line, fmt::format("{}. {}: {}.", facts.attribution, facts.name, facts.limits)};
-    if (!status.reason.empty() && status.reason != status.line) menu.live.push_back(status.reason);
+    menu.live = {fmt::format("{} ({}).", facts.attribution, facts.limits)};
+    if (status.line != facts.attribution) menu.live.push_back(status.line);
     return menu;
 }
 }  // namespace luftpost::app

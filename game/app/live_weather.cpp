@@ -8,7 +8,6 @@
 
 namespace luftpost::app {
 namespace {
-constexpr double kSameTime = 600.0;     // s: a clock that is no further off stays
 constexpr double kFirstSeconds = 20.0;  // from the weather that was waited in to the live one
 }  // namespace
 
@@ -49,7 +48,6 @@ std::optional<std::string> followFeed(Session& session, WeatherFeed& feed) {
     WeatherInput input = liveInput(*news, status.given.value_or(now), status.stale);
     bool const first = session.world().source() != kLiveSource;
     input.seconds = first ? kFirstSeconds : kFeedSeconds;
-    if (first && std::abs(now - session.simulation().utc()) > kSameTime) session.input(ClockInput{now});
     if (feed.pace() == FeedPace::beside) {
         session.offerWeather(std::move(input));
         return std::nullopt;

@@ -20,7 +20,7 @@ core::UtcSeconds feedTime(WeatherFeed const& feed, Simulation const& simulation)
 /// A flight that begins anew begins in the live weather of now, if there is any.
 void planAgain(FlightPlan& plan, WeatherFeed const& feed, Simulation const& simulation);
 
-/// Once a frame, before its ticks: what has come enters the flight, or is offered to it where the feed works beside the frames. A flight
-/// whose weather was another begins to be of now. A line where the news carries no weather.
+/// Once a frame, before its ticks: what has come enters the flight, or is offered to it where the feed works beside the frames. A line
+/// where the news carries no weather.
 std::optional<std::string> followFeed(Session& session, WeatherFeed& feed);
 }  // namespace luftpost::app

@@ -119,8 +119,9 @@ FeedStatus WeatherFeed::status(core::UtcSeconds now) const {
     std::lock_guard const lock{mutex_};
     ProviderFacts const& facts = factsOf(settings_.provider);
     FeedStatus status{given_, given_ && isStale(*given_, now, settings_), {}, reason_};
-    if (!given_) status.line = "live: " + (reason_.empty() ? fmt::format("waiting for {}", facts.name) : reason_);
-    else status.line = status.stale && !reason_.empty() ? reason_ : std::string{facts.attribution};
+    if (!given_) status.line = fmt::format("live: waiting for {}", facts.name);
+    else status.line = facts.attribution;
+    if (!reason_.empty()) status.line = (given_ ? "" : "live: ") + reason_;
     return status;
 }
 }  // namespace luftpost::app

@@ -21,7 +21,7 @@ enum class FeedPace { beside, inLine };
 struct FeedStatus {
     std::optional<core::UtcSeconds> given;  // the time that the weather in hand is of; none: nothing has come yet
     bool stale = false;                     // older than two intervals
-    std::string line;                       // for eyes: the attribution, or what is waited for and why
+    std::string line;                       // for the HUD: the attribution, or what is waited for, or why the last request failed
     std::string reason;                     // of the last failure; empty: the last request went well
 };
 

@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/frames.h"
 #include "engine/core/time.h"
+#include "engine/weather/meteoblue.h"
 #include "engine/weather/open_meteo.h"
 #include "engine/weather/source.h"
 
@@ -36,12 +37,6 @@ std::string metarUrl(std::string const& base, FeedPlace const& place, double rea
                        longitude(-east), latitude(north), longitude(east), kHoursBack);
 }
 
-std::string meteoblueUrl(WeatherSettings const& settings, FeedPlace const& place) {
-    std::string const& base = settings.meteoblueUrl;
-    return fmt::format("{}{}lat={:.4f}&lon={:.4f}&format=json&timeformat=iso8601&apikey={}", base, base.find('?') == base.npos ? '?' : '&', place.lat_deg,
-                       place.lon_deg, settings.meteoblueKey);
-}
-
 std::string urlOf(WeatherSettings const& settings, FeedPlace const& place, double reach) {
     switch (settings.provider) {
         case WeatherProvider::openMeteo:
@@ -49,7 +44,7 @@ std::string urlOf(WeatherSettings const& settings, FeedPlace const& place, doubl
         case WeatherProvider::metar:
             return metarUrl(settings.metarUrl, place, reach);
         case WeatherProvider::meteoblue:
-            return meteoblueUrl(settings, place);
+            return weather::meteoblueUrl(settings.meteoblueUrl, settings.meteoblueKey, place.lat_deg, place.lon_deg, {});
     }
     return {};
 }
@@ -83,7 +78,7 @@ void keepNearest(weather::Recording& recording, FeedPlace const& place) {
 }
 
 WeatherNews newsOf(std::string const& body, std::string_view provider, FeedPlace const& place, core::UtcSeconds now) {
-    weather::Recording recording = weather::parseSource(body, std::string{provider}, {now});
+    weather::Recording recording = weather::parseSource(body, std::string{provider}, {now, weather::PlaceWish{place.lat_deg, place.lon_deg, {}}});
     if (recording.sites.empty() || recording.sites.front().reports.empty()) throw core::Error(std::string{provider}, "", "expected reports, found none");
     keepNearest(recording, place);
     return {weather::recordingText(recording), lastReport(recording), place};

@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "engine/core/settings.h"
+#include "engine/weather/meteoblue.h"
+#include "engine/weather/open_meteo.h"
 
 namespace luftpost::app {
 enum class WeatherProvider { openMeteo, metar, meteoblue };
@@ -20,9 +22,9 @@ struct WeatherSettings {
     int interval = 900;     // s
     float timeout = 20.0f;  // s
     CacheUse cache = CacheUse::window;
-    std::string openMeteoUrl{"https://api.open-meteo.com/v1/forecast"};
+    std::string openMeteoUrl{weather::kOpenMeteoForecast};
     std::string metarUrl{"https://aviationweather.gov/api/data/metar"};
-    std::string meteoblueUrl{"https://my.meteoblue.com/packages/basic-1h_clouds-1h"};
+    std::string meteoblueUrl{weather::kMeteobluePackages};
     std::string meteoblueKey;
     bool operator==(WeatherSettings const&) const = default;
 };
