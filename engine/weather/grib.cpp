@@ -365,7 +365,7 @@ Recording parseGrib(std::string_view bytes, std::string const& file, std::option
         keepWhatSpeaks(site.reports);
         if (!site.reports.empty()) recording.sites.push_back(std::move(site));
     }
-    if (recording.sites.empty()) throw core::Error(file, "", "expected a value at the place, found holes only");
+    if (recording.sites.empty()) throw core::Error(file, "", "expected a value at the place, found none");
     recording.name = fmt::format("{} run of {}, {}", centreName(grib.centre), core::formatUtc(grib.run).substr(0, 13) + "Z", grib.where);
     recording.source = fmt::format("{} (GRIB2, model data)", centreName(grib.centre));
     recording.licence = licenceOf(grib.centre);

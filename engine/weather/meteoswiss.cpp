@@ -133,7 +133,7 @@ std::optional<core::UtcSeconds> swissTime(std::string_view text) {
     if (text.size() == 16 && text[2] == '.' && text[5] == '.' && text[10] == ' ')
         return core::parseUtc(fmt::format("{}-{}-{}T{}Z", part(6, 4), part(3, 2), part(0, 2), part(11, 5)));
     if (text.size() != 12 && text.size() != 14) return std::nullopt;
-    std::string const seconds = text.size() == 14 ? ":" + std::string{part(12, 2)} : "";
+    std::string const seconds = text.size() == 14 ? fmt::format(":{}", part(12, 2)) : std::string{};
     return core::parseUtc(fmt::format("{}-{}-{}T{}:{}{}Z", part(0, 4), part(4, 2), part(6, 2), part(8, 2), part(10, 2), seconds));
 }
 
