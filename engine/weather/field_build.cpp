@@ -225,7 +225,7 @@ std::array<bool, kQuantities> knownBy(Site const& site) {
         note(Quantity::Cape, r.cape_j_kg.has_value());
         note(Quantity::FreezingLevel, r.freezingLevel_m || r.temperature_c);
         note(Quantity::Snow, r.snowDepth_m.has_value());
-        note(Quantity::Clouds, r.layers || r.coverLow || r.coverMid || r.coverHigh || r.coverTotal || r.verticalVisibility_m);
+        note(Quantity::Clouds, r.layers || r.coverLow || r.coverMid || r.coverHigh || r.coverTotal || r.verticalVisibility_m || r.radiation_w_m2 || r.longwave_w_m2);
     }
     return knows;
 }
@@ -295,14 +295,52 @@ core::Place placeOf(Recording const& recording, std::optional<PlaceWish> const& 
     place.altitude_m = wish->altitude_m.value_or(place.altitude_m);
     return place;
 }
-}  // namespace
+constexpr double kLittle = 1e-3;  // what the sites that do not count at the origin weigh together
 
-glm::dvec2 Field::Data::windAtOrigin(double altitude, double time) const {
-    glm::dvec2 wind{0.0};
-    std::vector<double> const share = weights(0.0, 0.0);
-    for (std::size_t i = 0; i < sites.size(); ++i) wind += share[i] * weather::windAt(profile(i, time), altitude, sites[i].elevation);
-    return wind;
+struct SiteShare {
+    std::size_t site;
+    double share;
+};
+
+/// The sites that count, of shares that sum to 1: of a thousand stations around the world but a few.
+std::vector<SiteShare> countingShares(std::vector<double> const& all) {
+    std::vector<SiteShare> shares;
+    for (std::size_t i = 0; i < all.size(); ++i) shares.push_back({i, all[i]});
+    std::stable_sort(shares.begin(), shares.end(), [](SiteShare const& a, SiteShare const& b) { return a.share > b.share; });
+    double sum = 0.0;
+    std::size_t count = 0;
+    while (count < shares.size() && sum < 1.0 - kLittle) sum += shares[count++].share;
+    shares.resize(count);
+    for (SiteShare& own : shares) own.share /= sum;
+    return shares;
 }
+
+/// The wind over the origin at one moment.
+struct OriginWind {
+    struct Site {
+        double share, elevation;
+        Profile profile;
+    };
+    std::vector<Site> sites;
+    glm::dvec2 at(double altitude) const {
+        glm::dvec2 wind{0.0};
+        for (Site const& site : sites) wind += site.share * windAt(site.profile, altitude, site.elevation);
+        return wind;
+    }
+};
+
+/// The middle of a track's layer over the origin. m above sea level.
+double trackMiddle(std::vector<SiteData> const& sites, std::vector<double> const& shares, std::size_t track, double time) {
+    double middle = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        auto const& curves = sites[i].curves[track];
+        if (!curves) continue;
+        middle += shares[i] * 0.5 * (curves->base.at(time) + curves->top.at(time));
+        sum += shares[i];
+    }
+    return middle / sum;
+}
+}  // namespace
 
 std::vector<double> Field::Data::allTimes() const {
     std::vector<double> times;
@@ -346,7 +384,7 @@ void Field::Data::joinTracks() {
         }
     }
     for (SiteTrack const& track : known)
-        tracks.push_back({track.genus, patternId(track.genus, ordinals[static_cast<std::size_t>(track.genus)]++), {}, glm::dvec2{0.0}});
+        tracks.push_back({track.genus, patternId(track.genus, ordinals[static_cast<std::size_t>(track.genus)]++), meanBase(track), {}, glm::dvec2{0.0}});
     for (SiteData& site : sites) {
         std::vector<Window> const windows = windowsOf(site);
         site.trackOf.resize(known.size());
@@ -381,25 +419,21 @@ void Field::Data::carryPatterns() {
 /// Each track's wind at the middle of its layer at every report, then a curve through it: its integral is the drift.
 void Field::Data::findWinds() {
     auto const times = allTimes();
-    std::vector<double> const shares = weights(0.0, 0.0);
+    std::vector<double> const all = weights(0.0, 0.0);
+    std::vector<SiteShare> const near = countingShares(all);
     std::vector<glm::dvec2> boundaryWinds;
-    for (double const time : times) boundaryWinds.push_back(windAtOrigin(place.altitude_m + kBoundaryHeight, time));
+    std::vector<std::vector<glm::dvec2>> winds(tracks.size());
+    for (double const time : times) {
+        OriginWind wind;
+        for (SiteShare const& own : near) wind.sites.push_back({own.share, sites[own.site].elevation, profile(own.site, time)});
+        boundaryWinds.push_back(wind.at(place.altitude_m + kBoundaryHeight));
+        for (std::size_t t = 0; t < tracks.size(); ++t) winds[t].push_back(wind.at(trackMiddle(sites, all, t, time)));
+    }
     boundary = {times, boundaryWinds};
     double const from = carry ? carry->time : start;
     boundaryAtStart = boundary.integralTo(from) - (carry ? carry->boundaryDrift : glm::dvec2{0.0});
     for (std::size_t t = 0; t < tracks.size(); ++t) {
-        std::vector<glm::dvec2> winds;
-        for (double const time : times) {
-            double middle = 0.0, sum = 0.0;
-            for (std::size_t i = 0; i < sites.size(); ++i) {
-                if (!sites[i].curves[t]) continue;
-                double const share = shares[i];
-                middle += share * 0.5 * (sites[i].curves[t]->base.at(time) + sites[i].curves[t]->top.at(time));
-                sum += share;
-            }
-            winds.push_back(windAtOrigin(middle / sum, time));
-        }
-        tracks[t].wind = {times, winds};
+        tracks[t].wind = {times, winds[t]};
         tracks[t].atStart += tracks[t].wind.integralTo(from);
     }
 }

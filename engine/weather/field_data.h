@@ -63,10 +63,42 @@ struct SiteData {
     std::vector<std::optional<TrackCurves>> curves;      // by the field's track
 };
 
+/// Temperature, dew point and pressure over a site at one time.
+struct Masses {
+    static constexpr int kMostLevels = Profile::kMaxLevels + 1;
+    int levels = 0;               // the lowest is the site's own
+    double pressureSea = 101325.0;  // Pa
+    std::array<double, kMostLevels> altitude{}, temperature{}, dewPoint{}, pressure{};  // m, K, K, Pa
+    void add(double altitude, double temperature, std::optional<double> dewPoint);      // upward, from the site on
+};
+struct MassAt {
+    double temperature, dewPoint, pressure;  // K, K, Pa
+};
+/// Linear between levels; the standard atmosphere's lapse below the lowest and above the topmost, isothermal above 11 km; the
+/// pressure hydrostatic. Where no level says it the dew point falls by 1.8 K/km up to the condensation level and by 8 K/km
+/// above it.
+MassAt massAt(Masses const& masses, double altitude);
+
+/// A track over one site.
+struct Extent {
+    bool knows = false;    // the site's cover counts: it has the track, or says that there is nothing at that height
+    bool present = false;  // it has base and top
+    double cover = 0.0, base = 0.0, top = 0.0;
+};
+
+/// One site's share of the weather at a moment.
+struct SiteNow {
+    Weather weather;  // all but the layers
+    Profile profile;
+    Masses masses;
+    std::vector<Extent> extents;  // by track
+};
+
 /// A layer's life over the whole field.
 struct FieldTrack {
     Genus genus = Genus::Cu;
     unsigned pattern = 0;
+    double meanBase = 0.0;   // m above sea level
     VectorCurve wind;        // the same everywhere, so that the pattern drifts without being torn
     glm::dvec2 atStart{0.0};  // integral of the wind up to the recording's start
 };
@@ -102,6 +134,7 @@ struct Field::Data {
     std::vector<Front> fronts;
     std::vector<Passage> passages;
 
+    /// How much each site counts at a point, by 1/d2; they sum to 1.
     std::vector<double> weights(double east, double north) const;
     Profile profile(std::size_t site, double time) const;
     Masses masses(std::size_t site, double time) const;
@@ -109,7 +142,6 @@ struct Field::Data {
     std::vector<Extent> extents(std::size_t site, double time) const;
     SiteNow siteNow(std::size_t site, double time) const { return {siteWeather(site, time), profile(site, time), masses(site, time), extents(site, time)}; }
     double readingTimeAt(std::size_t site, double east, double north, double time) const;
-    glm::dvec2 windAtOrigin(double altitude, double time) const;
     std::vector<double> allTimes() const;
     void build();
     void findFronts();
@@ -120,34 +152,6 @@ struct Field::Data {
     std::size_t reportIndex(std::size_t site, double time) const;
 };
 
-/// Temperature, dew point and pressure over a site at one time.
-struct Masses {
-    static constexpr int kMostLevels = Profile::kMaxLevels + 1;
-    int levels = 0;  // the lowest is the site's own, 2 m above it
-    std::array<double, kMostLevels> altitude{}, temperature{}, dewPoint{}, pressure{};  // m, K, K, Pa
-};
-struct MassAt {
-    double temperature, dewPoint, pressure;  // K, K, Pa
-};
-/// Linear between levels; the standard atmosphere's lapse below the lowest and above the topmost, isothermal above 11 km; the
-/// pressure hydrostatic.
-MassAt massAt(Masses const& masses, double altitude);
-
-/// A track over one site.
-struct Extent {
-    bool knows = false;    // the site's cover counts: it has the track, or says that there is nothing at that height
-    bool present = false;  // it has base and top
-    double cover = 0.0, base = 0.0, top = 0.0;
-};
-
-/// One site's share of the weather at a moment.
-struct SiteNow {
-    Weather weather;  // all but the layers
-    Profile profile;
-    Masses masses;
-    std::vector<Extent> extents;  // by track
-};
-
 struct FieldInstant::Now {
     core::UtcSeconds time = 0.0;
     std::shared_ptr<Field::Data const> data;
@@ -155,10 +159,8 @@ struct FieldInstant::Now {
     std::vector<Layer> tracks;  // all but cover, base and top
     bool frontal = false;       // a front is so near in time that sites are read at other times for other places
 
-    /// How much each site counts at a point, before it is asked what it knows; 1/d2.
-    std::vector<double> weights(double east, double north) const;
     /// What a site contributes at a point: as it is, or, where a front is on its way, as it was or will be.
-    SiteNow const& site(std::size_t index, double east, double north, SiteNow& own) const;
+    SiteNow const& site(std::size_t index, double east, double north, std::optional<SiteNow>& own) const;
 };
 
 struct FieldAccess {

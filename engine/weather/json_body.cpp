@@ -21,6 +21,19 @@ std::string lineAndColumn(std::string_view bytes, std::size_t byte) {
     return fmt::format("line {}, column {}", line, before.size() - (newline == before.npos ? 0 : newline + 1));
 }
 
+/// Of the UTF-8 character at the front of a text that is not empty, in bytes; 0 where there is none (other encodings, surrogates).
+std::size_t characterLength(std::string_view text) {
+    auto const byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (byte(0) < 0x80) return 1;
+    std::size_t const length = byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2 : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3 : byte(0) >= 0xF0 && byte(0) < 0xF5 ? 4 : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0u) != 0x80) return 0;
+    bool const tooLong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xF0 && byte(1) < 0x90);
+    bool const beyond = (byte(0) == 0xED && byte(1) >= 0xA0) || (byte(0) == 0xF4 && byte(1) >= 0x90);
+    return tooLong || beyond ? 0 : length;
+}
+
 std::string found(Json const& json) {
     if (json.is_structured()) return json.is_object() ? "an object" : "an array";
     return oneLine(json.dump(-1, ' ', true, Json::error_handler_t::replace), 40);
@@ -57,10 +70,16 @@ Json parseJson(std::string_view bytes, std::string const& file, std::string cons
 }
 
 std::string oneLine(std::string_view text, std::size_t most) {
-    std::string line{text.substr(0, most)};
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-    return text.size() > most ? line + "..." : line;
+    std::string line;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::size_t const length = characterLength(text.substr(at));
+        if (line.size() + std::max<std::size_t>(length, 1) > most) return line + "...";
+        if (length > 1) line += text.substr(at, length);
+        else line += length == 0 ? '?' : text[at] < ' ' || text[at] == 127 ? ' ' : text[at];
+        at += std::max<std::size_t>(length, 1);
+    }
+    return line;
 }
 
 double requiredNumber(Json const& object, std::string_view key, Range range, std::string const& file, std::string const& place) {

@@ -15,7 +15,7 @@ namespace luftpost::weather {
 /// values, so that no body takes more than a few hundred megabytes.
 nlohmann::json parseJson(std::string_view bytes, std::string const& file, std::string const& expected);
 
-/// A text of a provider on one line, its control characters blanks, no longer than `most` bytes.
+/// A text of a provider on one line: control characters blanks, what is not UTF-8 question marks, no longer than `most` bytes.
 std::string oneLine(std::string_view text, std::size_t most = 200);
 
 /// A number of an object; throws when it is absent, no number, or out of the range.

@@ -178,11 +178,18 @@ std::optional<std::string_view> layerPart(std::string_view place) {
     return place.substr(digits + 2);
 }
 
+core::UtcSeconds readTime(Node const& node) {
+    auto const time = core::parseUtc(node.text());
+    if (!time) node.failHere("a time such as \"2023-06-23T18:40Z\"");
+    return *time;
+}
+
 /// What a place of `filled` must hold.
 std::optional<FilledValue> readFilledValue(std::string_view place, Node const& node) {
     static constexpr std::pair<std::string_view, Range> kNumbers[] = {
         {"wind.speed_mps", kSpeed}, {"wind.gust_mps", kSpeed}, {"wind.from_deg", kDegrees}, {"visibility_m", kVisibility},
-        {"temperature_c", kTemperature}, {"dew_point_c", kDewPoint}, {"pressure_hpa", kPressure}, {"precipitation.rate_mm_h", kRate}};
+        {"temperature_c", kTemperature}, {"dew_point_c", kDewPoint}, {"pressure_hpa", kPressure}, {"precipitation.rate_mm_h", kRate},
+        {"elevation_m", {-500.0, 9000.0}}};
     if (auto const part = layerPart(place)) {
         if (*part == "genus") return std::string{genusName(readGenus(node))};
         if (*part == "cover") return node.number(kCover);
@@ -190,6 +197,7 @@ std::optional<FilledValue> readFilledValue(std::string_view place, Node const& n
     }
     if (place == "precipitation.kind") return std::string{precipitationName(readKind(node))};
     if (place == "thunder") return node.yes();
+    if (place == "time") return core::formatUtc(readTime(node));
     for (auto const& [name, range] : kNumbers)
         if (place == name) return node.number(range);
     return std::nullopt;
@@ -205,12 +213,6 @@ Filled readFilled(Node const& node) {
         else node.noteUnknown(place);
     }
     return filled;
-}
-
-core::UtcSeconds readTime(Node const& node) {
-    auto const time = core::parseUtc(node.text());
-    if (!time) node.failHere("a time such as \"2023-06-23T18:40Z\"");
-    return *time;
 }
 
 void readWindAndRain(Node const& node, Report& report) {

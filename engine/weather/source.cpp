@@ -11,6 +11,7 @@
 #include "engine/weather/meteoblue.h"
 #include "engine/weather/meteoswiss.h"
 #include "engine/weather/open_meteo.h"
+#include "engine/weather/metar_files.h"
 #include "engine/weather/presets.h"
 
 namespace luftpost::weather {
@@ -34,6 +35,9 @@ constexpr std::array kFormats{
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseMeteoblue(bytes, file); }},
     Format{"Open-Meteo (JSON)", looksLikeOpenMeteo,
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseOpenMeteo(bytes, file); }},
+    Format{"METAR as JSON of aviationweather.gov", looksLikeMetarJson, parseMetarJson},
+    Format{"METAR in a table", looksLikeMetarTable, parseMetarTable},
+    Format{"METAR as text", looksLikeMetarText, parseMetarText},
     Format{"a recording (luftpost-weather-1)", [](std::string_view) { return true; },
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseRecording(bytes, file); }},
 };
@@ -64,7 +68,7 @@ Recording readWeather(std::string const& source, std::optional<PlaceWish> const&
     if (file.empty()) throw core::Error(source, "", "expected recorded:FILE, a file, or preset:NAME");
     SourceContext wished = context;
     if (place) wished.place = place;
-    return parseSource(core::readFile(file), file, wished);
+    return parseSource(core::readFile(file, kMostBytes), file, wished);
 }
 
 Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {

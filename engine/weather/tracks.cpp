@@ -32,15 +32,6 @@ std::optional<std::size_t> continued(FullLayer const& layer, std::size_t k, std:
     return best;
 }
 
-double meanBase(SiteTrack const& track) {
-    double sum = 0.0, weight = 0.0;
-    for (std::size_t i = 0; i < track.base.size(); ++i) {
-        sum += track.cover[i] * track.base[i];
-        weight += track.cover[i];
-    }
-    return weight > 0.0 ? sum / weight : track.base.front();
-}
-
 /// Base and top where the layer is absent: those of its next presence at the report just before it, else of its last one.
 void holdWhereAbsent(SiteTrack& track) {
     auto const first = std::find_if(track.layer.begin(), track.layer.end(), [](int layer) { return layer >= 0; }) - track.layer.begin();
@@ -74,6 +65,15 @@ double sharedCover(double cover, double share) {
     return (1.0 - core::pow(gap, share)) * cover / std::min(cover, kNearlyClosed);
 }
 }  // namespace
+
+double meanBase(SiteTrack const& track) {
+    double sum = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < track.base.size(); ++i) {
+        sum += track.cover[i] * track.base[i];
+        weight += track.cover[i];
+    }
+    return weight > 0.0 ? sum / weight : track.base.front();
+}
 
 Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times, std::vector<Window> const& windows) {
     SiteTrack const& track = tracks[which];

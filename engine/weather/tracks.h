@@ -25,6 +25,9 @@ std::vector<SiteTrack> siteTracks(std::vector<FullReport> const& reports);
 /// changes within its window.
 Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times, std::vector<Window> const& windows);
 
+/// Its base in the mean, weighted by cover. m above sea level.
+double meanBase(SiteTrack const& track);
+
 /// For each of `tracks`, which of the `known` ones it continues at another site: the nearest in mean base of the same genus,
 /// each at most once; none: a new one.
 std::vector<std::optional<std::size_t>> matchedTracks(std::vector<SiteTrack> const& tracks, std::vector<SiteTrack> const& known);

@@ -103,7 +103,7 @@ std::optional<WeatherInput> firstNews(WeatherFeed& feed, CommonOptions const& co
 /// Live weather is waited for in the bundled one, at the hour of now.
 weather::Field waitingField(CommonOptions& common) {
     common.time = feedTime(common);
-    return weather::loadWeather(bundledSource(), placeWish(common));
+    return loadField(bundledSource(), placeWish(common), common);
 }
 
 /// The field that the flight begins in; with live weather also the feed. It is made here to complain early.

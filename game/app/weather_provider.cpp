@@ -12,6 +12,7 @@
 #include "engine/weather/meteoblue.h"
 #include "engine/weather/open_meteo.h"
 #include "engine/weather/source.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 namespace {
@@ -75,10 +76,11 @@ void keepNearest(weather::Recording& recording, FeedPlace const& place) {
     };
     std::stable_sort(recording.sites.begin(), recording.sites.end(), [&](auto const& a, auto const& b) { return apart(a) < apart(b); });
     if (recording.sites.size() > kMostStations) recording.sites.erase(recording.sites.begin() + kMostStations, recording.sites.end());
+    recording.order.clear();
 }
 
 WeatherNews newsOf(std::string const& body, std::string_view provider, FeedPlace const& place, core::UtcSeconds now) {
-    weather::Recording recording = weather::parseSource(body, std::string{provider}, {now, weather::PlaceWish{place.lat_deg, place.lon_deg, {}}});
+    weather::Recording recording = weather::parseSource(body, std::string{provider}, sourceContext(now));
     if (recording.sites.empty() || recording.sites.front().reports.empty()) throw core::Error(std::string{provider}, "", "expected reports, found none");
     keepNearest(recording, place);
     return {weather::recordingText(recording), lastReport(recording), place};

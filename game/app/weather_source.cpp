@@ -5,7 +5,6 @@
 #include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
-#include "engine/weather/source.h"
 #include "game/app/live_weather.h"
 
 namespace luftpost::app {
@@ -56,6 +55,10 @@ core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& fi
     return time;
 }
 
+weather::SourceContext sourceContext(core::UtcSeconds latest) {
+    return {.latest = latest, .stationTable = platform::dataFile("assets/weather/stations.txt").string()};
+}
+
 namespace {
 /// Asked for once.
 weather::Field liveField(std::optional<weather::PlaceWish> const& place, CommonOptions const& common) {
@@ -70,7 +73,7 @@ weather::Field liveField(std::optional<weather::PlaceWish> const& place, CommonO
 }  // namespace
 
 weather::Field loadField(std::string const& source, std::optional<weather::PlaceWish> const& place, CommonOptions const& common) {
-    return source == kLiveSource ? liveField(place, common) : weather::loadWeather(source, place);
+    return source == kLiveSource ? liveField(place, common) : weather::loadWeather(source, place, sourceContext(feedTime(common)));
 }
 
 weather::Field weatherField(CommonOptions const& common) { return loadField(weatherSource(common), placeWish(common), common); }

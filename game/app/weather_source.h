@@ -4,6 +4,7 @@
 
 #include "engine/weather/field.h"
 #include "engine/weather/noise_volume.h"
+#include "engine/weather/source.h"
 #include "game/app/commands.h"
 #include "game/app/inputs.h"
 #include "game/app/weather_provider.h"
@@ -32,6 +33,8 @@ weather::Field fieldOf(WeatherInput const& input, std::optional<weather::PlaceWi
 core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& field);
 /// The field of a source at a place; `live` is asked for once, within the time-out of the settings. Throws core::Error.
 weather::Field loadField(std::string const& source, std::optional<weather::PlaceWish> const& place, CommonOptions const& common);
+/// What a source cannot say of itself: reports up to `latest`; the product's table of stations.
+weather::SourceContext sourceContext(core::UtcSeconds latest);
 /// The field of the common options. Throws core::Error.
 weather::Field weatherField(CommonOptions const& common);
 /// What the build made. Throws core::Error where a file is missing or broken.

@@ -31,7 +31,7 @@ World::World(WeatherInput const& weather, core::Place const& place, unsigned see
 
 void World::loadWeather(std::string const& source) {
     if (loaded_.contains(source)) return;
-    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_)), ground_, land_.seed(), noise_);
+    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_), sourceContext(weather::contextOfNow().latest)), ground_, land_.seed(), noise_);
 }
 
 void World::forgetUnused() {

@@ -10,6 +10,7 @@
 #include "engine/weather/grib_values.h"
 #include "engine/weather/source.h"
 #include "tests/unit/grib_maker.h"
+#include "tests/unit/grib_repack.h"
 #include "tests/unit/source_files.h"
 
 using namespace luftpost;
@@ -208,6 +209,18 @@ TEST(Grib, BadFilesAreAnsweredWithMessageAndByteInOneLine) {
     EXPECT_NE(tests::complaintOf([&] { parsed(good, PlaceWish{10.0, 10.0, {}}); }).find("expected a grid over the place 10.00 N 10.00 E"), std::string::npos);
     EXPECT_TRUE(looksLikeGrib(good));
     EXPECT_EQ(parseSource(good, "x", {0.0, kMiddle}).sites.size(), 9u);
+}
+
+TEST(Grib, AllPackingsGiveTheSameFigures) {
+    GribMaker maker;
+    maker.columns = 16, maker.rows = 16, maker.latStep = -0.1, maker.lonStep = 0.1;
+    for (int i = 0; i < 256; ++i) maker.values.push_back(280.0 + 0.05 * i);
+    for (char const* type : {"grid_simple", "grid_jpeg", "grid_ccsds"}) {
+        std::string const bytes = tests::repacked(maker.message(), type);
+        ASSERT_FALSE(bytes.empty()) << type;
+        Recording const recording = parsed(bytes, PlaceWish{47.3, 7.4, {}});
+        EXPECT_NEAR(*recording.sites[0].reports[0].temperature_c, 280.0 + 0.05 * (7 * 16 + 4) - 273.15, 1e-2) << type;
+    }
 }
 
 TEST(Grib, TheRealFileReadsAsAnotherDecoderDoes) {

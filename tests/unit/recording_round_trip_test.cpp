@@ -19,7 +19,9 @@ constexpr double kDecimals = 0.6e-6;
 
 void same(std::optional<double> once, std::optional<double> again, std::string const& what) {
     ASSERT_EQ(once.has_value(), again.has_value()) << what;
-    if (once) EXPECT_NEAR(*once, *again, kDecimals) << what;
+    if (once) {
+        EXPECT_NEAR(*once, *again, kDecimals) << what;
+    }
 }
 
 void sameLayers(Report const& once, Report const& again, std::string const& what) {
@@ -54,8 +56,11 @@ void sameFilled(Report const& once, Report const& again, std::string const& what
         ASSERT_TRUE(again.filled.contains(place)) << what << " " << place;
         FilledValue const& other = again.filled.at(place);
         ASSERT_EQ(value.index(), other.index()) << what << " " << place;
-        if (auto const* number = std::get_if<double>(&value)) EXPECT_NEAR(*number, std::get<double>(other), kDecimals) << what << " " << place;
-        else EXPECT_EQ(value, other) << what << " " << place;
+        if (auto const* number = std::get_if<double>(&value)) {
+            EXPECT_NEAR(*number, std::get<double>(other), kDecimals) << what << " " << place;
+        } else {
+            EXPECT_EQ(value, other) << what << " " << place;
+        }
     }
 }
 
@@ -127,7 +132,7 @@ std::string gribOfEverything() {
     auto const add = [&](int category, int number, int surface, double level, double value, int statistic = -1) {
         tests::GribMaker maker;
         maker.category = category, maker.number = number, maker.surface = surface, maker.level = level, maker.statistic = statistic;
-        maker.values = {value, value, value, value * 1.001, std::nullopt, value, value, value, value * 0.999};
+        maker.values = {value, value, value, value * 1.001, value, value, value, value * 0.999, std::nullopt};
         bytes += maker.message();
     };
     add(0, 0, 103, 2, 288.17), add(1, 1, 103, 2, 63.0), add(2, 2, 103, 10, 3.3), add(2, 3, 103, 10, -4.7), add(3, 0, 1, 0, 97000.0), add(3, 5, 1, 0, 333.0);
@@ -140,7 +145,7 @@ std::string gribOfEverything() {
 TEST(RoundTrip, EverySourceIsTheSameAfterItWasSavedAsARecording) {
     SourceContext const context{0.0, PlaceWish{47.2, 7.9, {}}};
     EXPECT_EQ(sameAgain(parseSource(kOpenMeteo, "x", context)), 2u);
-    EXPECT_EQ(sameAgain(parseSource(gribOfEverything(), "x", context)), 10u);
+    EXPECT_EQ(sameAgain(parseSource(gribOfEverything(), "x", context)), 9u);
     EXPECT_EQ(sameAgain(parseSource(R"({"metadata":{"modelrun_utc":"","latitude":49.19523,"longitude":16.60812,"height":226,"utc_timeoffset":2},"units":{"temperature":"F",
         "windspeed":"kn","precipitation":"inch"},"data_1h":{"time":["2026-04-20 00:00"],"temperature":[51.3],"relativehumidity":[77],"windspeed":[7],"precipitation":[0.03],
         "snowfraction":[0.5],"pictocode":[27],"lowclouds":[33]}})", "x", context)), 1u);
