@@ -8,7 +8,10 @@
 #include "engine/core/error.h"
 #include "engine/gl/context.h"
 #include "game/app/instruments.h"
+#include "game/app/live_weather.h"
 #include "game/app/player_files.h"
+#include "game/app/weather_source.h"
+#include "engine/weather/source.h"
 
 namespace luftpost::app {
 namespace {
@@ -41,6 +44,7 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       list_{settingList(settings_)},
       stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
+      feed_{run_.feed},
       renderer_{rendererOptions(run_)},
       models_{renderer_} {
     if (surface_.hasWindow()) sounds_.emplace();
@@ -50,6 +54,7 @@ Game::Game(PlayOptions options, platform::Surface& surface)
 
 void Game::frame(FrameStep const& step) {
     readDevices(step);
+    takeWeather();
     advance(step);
     takeEvents();
     moveCamera(step);
@@ -69,6 +74,14 @@ void Game::readDevices(FrameStep const& step) {
     if (plan_.courier || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
+}
+
+void Game::takeWeather() {
+    auto const say = [this](std::optional<std::string> const& line) {
+        if (line) messages_.say(*line, ui::MessageKind::bad, session_->simulation().seconds());
+    };
+    if (feed_) say(followFeed(*session_, *feed_));
+    say(session_->enterOffered());
 }
 
 void Game::advance(FrameStep const& step) {
@@ -146,6 +159,7 @@ void Game::writePicture(std::filesystem::path const& file) {
 void Game::restart() {
     if (session_->simulation().tick() > 0) {
         plan_.plan.simulation.settings = settings_.flight;
+        if (feed_) planAgain(plan_.plan, *feed_, session_->simulation());
         session_ = std::make_unique<Session>(plan_);
     }
     sample_ = {};
@@ -162,6 +176,21 @@ void Game::saveChanges() {
     }
 }
 
+ui::HudWeather Game::hudWeather() const {
+    Simulation const& simulation = session_->simulation();
+    weather::Origin const& origin = session_->world().field().origin();
+    ui::HudWeather shown{origin.name, std::string{weather::modeWord(origin.mode)}, session_->world().field().age(simulation.utc()), {}};
+    if (isLive(origin.mode)) shown.age = std::max(simulation.utc() - origin.fetched, 0.0);
+    if (!feed_) return shown;
+    core::UtcSeconds const now = feedTime(*feed_, simulation);
+    FeedStatus const status = feed_->status(now);
+    shown.note = status.line;
+    if (!status.given || !isLive(origin.mode)) return shown;  // another weather until there is live one
+    shown.mode = status.stale ? "stale" : "live";
+    shown.age = std::max(now - *status.given, 0.0);
+    return shown;
+}
+
 ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
@@ -172,9 +201,7 @@ ui::HudState Game::hudState() {
     hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;
     hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
     hud.predictedLandingWorld = predictedLanding(simulation);
-    weather::Origin const& origin = session_->world().field().origin();
-    hud.weather = {origin.name, origin.mode == weather::SourceMode::Preset ? "preset" : "recorded",
-                   session_->world().field().age(simulation.utc())};
+    hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();

@@ -40,6 +40,7 @@ public:
 
 private:
     void readDevices(FrameStep const& step);
+    void takeWeather();
     void advance(FrameStep const& step);
     void takeEvents();
     void moveCamera(FrameStep const& step);
@@ -53,6 +54,8 @@ private:
     void answerPause(ui::PauseChoice choice);
     void change(ui::SettingChange const& change);
     void useWeather(std::string const& source);
+    void followWeatherSettings();
+    ui::HudWeather hudWeather() const;
     void restart();
     void count(FlightEventAt const& event);
     void applyGraphics();
@@ -67,6 +70,7 @@ private:
     core::SettingList list_;
     StoredSettings stored_;
     std::unique_ptr<Session> session_;
+    std::shared_ptr<WeatherFeed> feed_;  // of live weather
     render::Renderer renderer_;
     GameModels models_;
     ui::ScreenFrame screen_;

@@ -6,7 +6,9 @@
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
 #include "engine/weather/recording.h"
+#include "engine/weather/source.h"
 #include "game/app/game.h"
+#include "game/app/live_weather.h"
 
 namespace luftpost::app {
 namespace {
@@ -28,13 +30,13 @@ std::string nameOf(std::filesystem::path const& file) {
 
 /// The weather that the menu offers: what is bundled, and the presets.
 std::vector<ui::MenuWeather::Source> offeredWeather() {
-    std::vector<ui::MenuWeather::Source> sources;
+    std::vector<ui::MenuWeather::Source> sources{{kLiveSource, "Live: the weather of now (page Live says from whom)"}};
     std::error_code ignored;
     auto const folder = std::filesystem::absolute(platform::dataFile("assets/weather"));
     for (auto const& entry : std::filesystem::directory_iterator{folder, ignored})
         if (entry.path().extension() == ".json")
             sources.push_back({"recorded:" + entry.path().string(), nameOf(entry.path()) + " (recorded)"});
-    std::sort(sources.begin(), sources.end(),
+    std::sort(sources.begin() + 1, sources.end(),
               [](auto const& a, auto const& b) { return a.source < b.source; });
     for (char const* preset : {"calm", "clear", "fair", "broken", "overcast", "storm"})
         sources.push_back({std::string{"preset:"} + preset, std::string{preset} + " (preset)"});
@@ -120,6 +122,7 @@ void Game::change(ui::SettingChange const& wanted) {
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
     applyGraphics();
+    followWeatherSettings();
     stored_.change(wanted.key, wanted.value);
     sinceChange_ = 0.0;
 }
@@ -131,10 +134,23 @@ void Game::applyGraphics() {
     surface_.setVerticalSync(settings_.graphics.verticalSync);
 }
 
+/// The feed is the one that the settings ask for; none where they ask for none.
+void Game::followWeatherSettings() {
+    WeatherSettings const& wanted = settings_.weather;
+    if (!wanted.live) return feed_.reset();
+    if (feed_ && feed_->settings() == wanted) return;
+    bool const window = surface_.hasWindow();
+    if (!feed_ && window) session_->input(ClockInput{weather::contextOfNow().latest});  // live is now
+    feed_ = std::make_shared<WeatherFeed>(wanted, window ? FeedPace::beside : FeedPace::inLine, feedCacheFolder(wanted, window));
+}
+
 void Game::useWeather(std::string const& source) {
+    change({"weather.live", source == kLiveSource});
+    if (source == kLiveSource) return;
     try {
         session_->world().loadWeather(source);
-        session_->input(WeatherInput{source});
+        session_->input(WeatherInput{.source = source});
+        session_->world().forgetUnused();
     } catch (core::Error const& error) {
         messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
     }
@@ -144,7 +160,13 @@ ui::MenuWeather Game::menuWeather() const {
     static std::vector<ui::MenuWeather::Source> const kOffered = offeredWeather();
     weather::Field const& field = session_->world().field();
     bool const preset = field.origin().mode == weather::SourceMode::Preset;
-    return {kOffered, session_->world().source(), session_->simulation().utc(), field.start(),
-            preset ? field.start() : field.end()};
+    ui::MenuWeather menu{kOffered, session_->world().source(), session_->simulation().utc(), field.start(), preset ? field.start() : field.end(), {}};
+    if (!feed_) return menu;
+    ProviderFacts const& facts = factsOf(feed_->settings().provider);
+    FeedStatus const status = feed_->status(feedTime(*feed_, session_->simulation()));
+    menu.current = kLiveSource;
+    menu.live = {fmt::format("{} ({}).", facts.attribution, facts.limits)};
+    if (status.line != facts.attribution) menu.live.push_back(status.line);
+    return menu;
 }
 }  // namespace luftpost::app

@@ -1,11 +1,13 @@
 // The command line of `play` and `replay`, read and checked before anything is made.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "game/app/commands.h"
 #include "game/app/session.h"
+#include "game/app/weather_feed.h"
 
 namespace luftpost::app {
 /// As typed.
@@ -25,6 +27,7 @@ struct RunOptions {
     Settings settings;
     std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
+    std::shared_ptr<WeatherFeed> feed;         // of live weather
 };
 
 struct PlayOptions {

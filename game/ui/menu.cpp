@@ -33,8 +33,8 @@ struct Page {
         return of == group || (!second.empty() && of == second);
     }
 };
-constexpr std::array<Page, 6> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
-                                      {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}}};
+constexpr std::array<Page, 7> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
+                                      {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}, {"Live", "weather", ""}}};
 
 std::string capitalised(std::string_view text) {
     std::string result{text};
@@ -242,7 +242,8 @@ void drawWeatherPage(MenuWeather const& weather, ConfigAnswer& answer) {
             answer.source = source.source;
         ImGui::PopID();
     }
-    drawHelp("A recorded real day moves clouds, wind, rain and light as it did; a preset stays as it is.");
+    drawHelp("A recorded real day moves clouds, wind, rain and light as it did; a preset stays as it is; live is now.");
+    for (std::string const& line : weather.live) drawHelp(line);
     ImGui::EndChild();
     ImGui::EndTabItem();
 }

@@ -27,6 +27,7 @@ struct MenuWeather {
     double utc = 0.0;            // now
     double start = 0.0;          // of the recording; equal to end for a preset, which offers its whole day
     double end = 0.0;
+    std::vector<std::string> live;  // lines about the live source: how it stands, whose it is, its limits
 };
 
 /// What the player did in the config menu this frame.
