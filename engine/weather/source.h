@@ -1,5 +1,6 @@
 // Sources: bytes of any known shape -> a recording. Recognised by content, never by name.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,10 @@ namespace luftpost::weather {
 struct SourceContext {
     core::UtcSeconds latest = 0.0;  // a METAR names day and hour alone: its month is the latest such day at or before this
 };
+
+/// recorded, preset, live, stale: by the mode's value.
+inline constexpr std::array<std::string_view, 4> kSourceModeWords{"recorded", "preset", "live", "stale"};
+constexpr std::string_view modeWord(SourceMode mode) { return kSourceModeWords[static_cast<std::size_t>(mode)]; }
 
 /// Now, by the wall clock: what `latest` is without --time.
 SourceContext contextOfNow();

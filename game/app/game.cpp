@@ -72,6 +72,8 @@ void Game::readDevices(FrameStep const& step) {
 }
 
 void Game::advance(FrameStep const& step) {
+    if (auto const refused = session_->enterOffered())
+        messages_.say(*refused, ui::MessageKind::bad, session_->simulation().seconds());
     long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
     for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
 }

@@ -134,7 +134,8 @@ void Game::applyGraphics() {
 void Game::useWeather(std::string const& source) {
     try {
         session_->world().loadWeather(source);
-        session_->input(WeatherInput{source});
+        session_->input(WeatherInput{.source = source});
+        session_->world().forgetUnused();
     } catch (core::Error const& error) {
         messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
     }

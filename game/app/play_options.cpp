@@ -92,9 +92,9 @@ FlightStart startOption(std::string const& text, double airfieldAltitude) {
 /// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
 void planWeather(FlightPlan& plan, CommonOptions const& common) {
     weather::Field const field = weatherField(common);
-    plan.weather = weatherSource(common);
+    plan.weather.source = weatherSource(common);
     if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
-        plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();
+        plan.weather.source = "recorded:" + std::filesystem::absolute(field.recording().file).string();
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
     plan.simulation.time = startTime(common, field);

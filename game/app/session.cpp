@@ -9,7 +9,8 @@ namespace {
 /// Every weather that the script will use, loaded before the first tick.
 void loadScriptedWeather(World& world, std::vector<StampedInput> const& script) {
     for (StampedInput const& input : script)
-        if (auto const* change = std::get_if<WeatherInput>(&input.what)) world.loadWeather(change->source);
+        if (auto const* change = std::get_if<WeatherInput>(&input.what); change && change->recording.empty())
+            world.loadWeather(change->source);
 }
 }  // namespace
 
@@ -20,7 +21,7 @@ Session::Session(SessionOptions options)
       log_{world_.place()} {
     std::string const& found = world_.field().origin().sha256;
     if (found != options_.plan.weatherSha256)
-        throw core::Error{options_.plan.weather, "",
+        throw core::Error{options_.plan.weather.source, "",
                           "expected the recording of the replay, sha256 " + options_.plan.weatherSha256 +
                               ", found " + found};
     loadScriptedWeather(world_, options_.script);
@@ -31,6 +32,14 @@ Session::Session(SessionOptions options)
 void Session::input(FlightInput const& what) {
     inputs_.push_back({simulation_.tick(), what});
     simulation_.apply(what);
+}
+
+std::optional<std::string> Session::enterOffered() {
+    auto const offered = world_.takeOffered(simulation_.utc());
+    if (!offered) return std::nullopt;
+    if (!offered->error.empty()) return offered->error;
+    input(offered->input);
+    return std::nullopt;
 }
 
 void Session::tick() {

@@ -28,6 +28,11 @@ public:
 
     /// What the player or the bot does now: acts from the next tick and is kept for the replay.
     void input(FlightInput const& what);
+    /// Weather with a recording, from a feed or a hand: its field is made beside the frame, then it acts (`enterOffered`). Of
+    /// several in a row only the last counts.
+    void offerWeather(WeatherInput weather) { world_.offer(std::move(weather)); }
+    /// Once a frame, before its ticks: what is ready acts from the next tick as a stamped input. A line where it cannot be used.
+    std::optional<std::string> enterOffered();
     /// One tick: what is due of the script, the bot at 20 Hz, the simulation, log and hash.
     void tick();
 

@@ -73,7 +73,7 @@ void Simulation::startFlight(SimulationOptions const& options) {
 
 void Simulation::apply(FlightInput const& input) {
     if (auto const* sample = std::get_if<ui::InputSample>(&input)) sample_ = *sample;
-    if (auto const* weather = std::get_if<WeatherInput>(&input)) world_.useWeather(weather->source);
+    if (auto const* weather = std::get_if<WeatherInput>(&input)) world_.use(*weather);
     if (auto const* clock = std::get_if<ClockInput>(&input)) utcAtTickZero_ = clock->utc - seconds();
     if (auto const* change = std::get_if<SettingInput>(&input)) {
         core::SettingList list;

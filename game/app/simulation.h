@@ -43,7 +43,7 @@ public:
     Simulation(Simulation const&) = delete;
     Simulation& operator=(Simulation const&) = delete;
 
-    /// Acts from the next step on.
+    /// Acts from the next step on. Throws core::Error where a weather's recording carries no field.
     void apply(FlightInput const& input);
     /// One tick.
     void step();
