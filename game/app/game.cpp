@@ -42,7 +42,9 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
       renderer_{rendererOptions(run_)},
-      models_{renderer_} {
+      models_{renderer_},
+      desk_{plan_.plan.weather.source} {
+    if (!run_.photos.empty()) photo_.emplace(run_.photos);
     if (surface_.hasWindow()) sounds_.emplace();
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
@@ -53,6 +55,8 @@ void Game::frame(FrameStep const& step) {
     advance(step);
     takeEvents();
     moveCamera(step);
+    desk_.advance(step.wall, paused(), *session_);
+    if (photo_) complain(photo_->follow(session_->simulation().utc()));
     drawPicture(step, drawScreen(step), false);
     if (sounds_)
         sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
@@ -72,8 +76,7 @@ void Game::readDevices(FrameStep const& step) {
 }
 
 void Game::advance(FrameStep const& step) {
-    if (auto const refused = session_->enterOffered())
-        messages_.say(*refused, ui::MessageKind::bad, session_->simulation().seconds());
+    complain(session_->enterOffered());
     long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
     for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
 }
@@ -120,20 +123,27 @@ void Game::moveCamera(FrameStep const& step) {
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
     screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, input_);
+    if (photo_) ui::drawPhoto(photo_->state());
+    if (settings_.hud.air) drawAir();
     ui::drawHud(hudState());
     drawPages();
     return screen_.end();
 }
 
-void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
-    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const {
     FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
     render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
     snapshot.still = still;
     snapshot.debug = debug_;
     snapshot.ui = screen;
     snapshot.fontVersion = screen_.fontVersion();
-    renderer_.draw(snapshot);
+    if (photo_) snapshot.photo = photo_->image(), snapshot.photoVersion = photo_->version();
+    return snapshot;
+}
+
+void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
+    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+    renderer_.draw(pictureOf(step, screen, still));
     if (!surface_.hasWindow()) return gl::finish();
     renderer_.present(surface_.size());
     surface_.swap();
@@ -141,6 +151,7 @@ void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool sti
 
 void Game::writePicture(std::filesystem::path const& file) {
     FrameStep const now{0, 1.0, 0.0, 0.0};
+    if (photo_) photo_->finish();
     drawPicture(now, drawScreen(now), true);
     assets::writePng(file, renderer_.readPixels());
 }
@@ -150,6 +161,10 @@ void Game::restart() {
         plan_.plan.simulation.settings = settings_.flight;
         session_ = std::make_unique<Session>(plan_);
     }
+    beginFlight();
+}
+
+void Game::beginFlight() {
     sample_ = {};
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                    groundHeight());
@@ -174,6 +189,7 @@ ui::HudState Game::hudState() {
     hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;
     hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
     hud.predictedLandingWorld = predictedLanding(simulation);
+    hud.clockRate = simulation.clockRate();
     weather::Origin const& origin = session_->world().field().origin();
     hud.weather = {origin.name, origin.mode == weather::SourceMode::Preset ? "preset" : "recorded",
                    session_->world().field().age(simulation.utc())};

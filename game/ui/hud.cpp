@@ -209,7 +209,8 @@ std::string ageText(HudWeather const& weather) {
 
 void drawWeather(Pen const& pen, HudState const& state) {
     std::string const time = core::formatUtc(state.utc);  // 2023-06-23T18:40:00Z
-    std::string const stamp = fmt::format("{}  {} UTC", time.substr(0, 10), time.substr(11, 5));
+    std::string const rate = state.clockRate == 1.0 ? "" : state.clockRate == 0.0 ? "  stopped" : fmt::format("  {:.0f} \u00d7", state.clockRate);
+    std::string const stamp = fmt::format("{}  {} UTC{}", time.substr(0, 10), time.substr(11, 5), rate);
     std::string const source = state.weather.name, age = ageText(state.weather);
     float const inner = std::max({textSize(pen.f.small, source).x, textSize(pen.f.small, age).x, textSize(pen.f.normal, stamp).x});
     glm::vec2 const from{pen.size.x - inner - 42.0f * pen.s, 10.0f * pen.s};

@@ -263,7 +263,8 @@ void drawPhotoPage(PhotoState const& photo, WeatherAnswer& answer) {
     drawSliderRow("Opacity", view.opacity, 0.0, 1.0, "%.2f");
     drawSliderRow("Split at", view.split, 0.0, 1.0, "%.2f of the width");
     ImGui::Separator();
-    ImGui::TextUnformatted(photo.comparison.empty() ? "Colours are compared while the photograph is shown." : photo.comparison.c_str());
+    if (ImGui::Button("Compare the colours now")) answer.comparePhoto = true;
+    if (!photo.comparison.empty()) ImGui::TextWrapped("%s", photo.comparison.c_str());
     drawHelp("Share of equal colours in CIELAB: 0 none, 1 all; the photograph cut to the picture's shape, both at 256 points across.");
     ImGui::EndChild();
     ImGui::EndTabItem();

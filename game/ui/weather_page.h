@@ -1,6 +1,7 @@
 // The weather's page of the config menu: real hours, the player's own hand, and the photograph. Draws from plain data and answers
 // with what the player asked for. Main thread, between ScreenFrame::begin and end.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct WeatherAnswer {
     std::optional<HandWeather> hand;    // the controls were moved
     bool startFromHere = false;         // copy the present weather into the controls
     std::optional<PhotoView> photo;     // how the photograph is shown
+    bool comparePhoto = false;          // compare its colours with the picture's
 };
 
 /// One tab of the config menu's tab bar; `open` brings it to the front.
