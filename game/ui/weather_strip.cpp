@@ -14,6 +14,7 @@ constexpr double kZeroCelsius = 273.15;    // K
 constexpr double kLongestStep = 3600.0;    // s
 constexpr double kUsualStep = 1800.0;      // s
 constexpr double kFineStep = 600.0;        // s, within a column
+constexpr int kMostParts = 12;             // of a column
 constexpr int kMostSteps = 1000;           // of a very long recording
 constexpr double kShift_deg = 30.0, kFall = 3.0, kRise = 100.0;  // degrees, K, Pa
 constexpr double kLeastWind = 1.0;         // m/s: below, a direction says nothing
@@ -47,7 +48,7 @@ StripColumn columnAt(weather::Field const& field, glm::dvec2 at, double middle, 
     column.temperature_c = weather.temperature - kZeroCelsius;
     column.night = weather::sunHeight(field.place().lat_deg, field.place().lon_deg, middle) < 0.0;
     addLayers(column, weather);
-    int const parts = std::max(1, static_cast<int>(std::lround(width / kFineStep)));
+    int const parts = std::clamp(static_cast<int>(std::lround(width / kFineStep)), 1, kMostParts);
     for (int i = 0; i < parts; ++i) {
         weather::Weather const part = field.at(at.x, at.y, middle + width * ((i + 0.5) / parts - 0.5));
         if (part.precipitationRate > column.rain) column.kind = part.precipitation;
