@@ -39,8 +39,8 @@ PhotoFile photoOf(fs::path const& file) {
     if (!input) throw core::Error{file.string(), "", "expected an image: " + OIIO::geterror()};
     OIIO::ImageSpec const& spec = input->spec();
     std::string const original = spec.get_string_attribute("Exif:DateTimeOriginal"), offset = spec.get_string_attribute("Exif:OffsetTimeOriginal");
-    if (auto const taken = exifTime(original, offset)) return {file, taken, offsetSeconds(offset) ? "EXIF" : "EXIF, taken as UTC"};
-    if (auto const taken = timeInName(file.stem().string())) return {file, taken, "name"};
+    if (auto const taken = exifTime(original, offset)) return {file, taken, offsetSeconds(offset) ? "EXIF" : "EXIF, its clock as UTC"};
+    if (auto const taken = timeInName(file.stem().string())) return {file, taken, "its name"};
     return {file, std::nullopt, ""};
 }
 

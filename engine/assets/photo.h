@@ -13,7 +13,7 @@ namespace luftpost::assets {
 struct PhotoFile {
     std::filesystem::path file;
     std::optional<core::UtcSeconds> taken;  // none: nothing says when
-    std::string saidBy;                     // "EXIF", "EXIF, taken as UTC", "name"; empty: nobody
+    std::string saidBy;                     // "EXIF", "EXIF, its clock as UTC", "its name"; empty: nobody
 };
 
 /// The time of EXIF's DateTimeOriginal ("2023:06:22 19:20:05") with its OffsetTimeOriginal ("+02:00"); without an offset the clock is

@@ -35,7 +35,7 @@ std::vector<assets::PhotoFile> photosOption(std::filesystem::path const& fileOrF
 std::string takenText(assets::PhotoFile const& photo) {
     if (!photo.taken) return "taken at no known time";
     std::string const time = core::formatUtc(*photo.taken);
-    return fmt::format("taken {} {} UTC ({})", time.substr(0, 10), time.substr(11, 5), photo.saidBy);
+    return fmt::format("taken {} {} UTC, by {}", time.substr(0, 10), time.substr(11, 5), photo.saidBy);
 }
 
 std::optional<std::string> PhotoBox::follow(core::UtcSeconds utc) {

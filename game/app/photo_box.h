@@ -15,7 +15,7 @@
 namespace luftpost::app {
 /// The photographs of --photo. Throws core::Error where there is none, or where the one nearest to `time` cannot be read.
 std::vector<assets::PhotoFile> photosOption(std::filesystem::path const& fileOrFolder, core::UtcSeconds time);
-/// "taken 2023-06-22 17:21 UTC (EXIF)", "taken at no known time".
+/// "taken 2023-06-22 17:21 UTC, by EXIF", "taken at no known time".
 std::string takenText(assets::PhotoFile const& photo);
 
 class PhotoBox {

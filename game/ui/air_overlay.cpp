@@ -37,6 +37,19 @@ void drawTriangle(AirPen const& pen, glm::vec2 at, float half, bool up, ImU32 ti
     }
 }
 
+/// Those that none of the points beside them outdoes: in the picture a few tell more than all.
+std::vector<LiftPoint> strongest(std::vector<LiftPoint> const& points) {
+    std::vector<LiftPoint> peaks;
+    for (LiftPoint const& point : points) {
+        auto const outdone = [&](LiftPoint const& other) {
+            bool const same = (other.up > 0.0) == (point.up > 0.0);
+            return same && std::abs(other.up) > std::abs(point.up) && glm::length(other.eastNorth - point.eastNorth) < 1.6 * AirProbe::kCell;
+        };
+        if (std::none_of(points.begin(), points.end(), outdone)) peaks.push_back(point);
+    }
+    return peaks;
+}
+
 // --- in the picture ---------------------------------------------------------------------------------------------
 /// A stem as long as the air moves in 30 s, at its place over the ground, with the head at its end.
 void drawLiftArrow(AirPen const& pen, AirView const& view, LiftPoint const& point) {
@@ -53,23 +66,25 @@ void drawLiftArrow(AirPen const& pen, AirView const& view, LiftPoint const& poin
     drawTriangle(pen, *head, (2.5f + 4.5f * far) * pen.s, up, tint);
 }
 
-/// A flat arrow that lies in the air at a height and goes where it goes, as far as in 8 s; before the aircraft, beside its way.
+/// A flat arrow that lies in the air at a height and goes where it goes, as far as in 15 s; before the aircraft, beside its way.
 void drawWindArrow(AirPen const& pen, AirView const& view, WindLevel const& level) {
     double const speed = glm::length(level.wind), heading = view.subject.heading;
     glm::dvec2 const ahead{std::sin(heading), std::cos(heading)}, right{ahead.y, -ahead.x};
     glm::dvec2 const here{view.subject.positionWorld.x, -view.subject.positionWorld.z};
-    glm::dvec2 const mast = here + 420.0 * ahead - 150.0 * right;
+    glm::dvec2 const mast = here + 900.0 * ahead - 330.0 * right;
     auto const seen = [&](glm::dvec2 at) { return seenAt(view.camera, pen.size, {at.x, level.altitude, -at.y}); };
-    glm::dvec2 const way = 8.0 * level.wind;
+    glm::dvec2 const way = 15.0 * level.wind;
     auto const tail = seen(mast - 0.5 * way), tip = seen(mast + 0.5 * way), label = seen(mast);
     if (!tail || !tip || !label || label->y < 70.0f * pen.s || label->y > 0.78f * pen.size.y) return;
     glm::vec2 const middle = *label;
-    pen.list.AddCircleFilled(im(middle), 3.5f * pen.s, kHalo);
+    pen.list.AddCircleFilled(im(middle), 5.0f * pen.s, kHalo);
+    pen.list.AddCircleFilled(im(middle), 3.0f * pen.s, kPaper);
     if (speed > 0.5) {
         glm::vec2 const along = *tip - *tail;
-        float const span = std::max(glm::length(along), 1.0f), grow = std::max(1.0f, 18.0f * pen.s / span);  // seen end on, still an arrow
-        drawArrow(pen.list, middle - 0.5f * grow * along, middle + 0.5f * grow * along, 6.0f * pen.s, kHalo);
-        drawArrow(pen.list, middle - 0.5f * grow * along, middle + 0.5f * grow * along, 3.2f * pen.s, kPaper);
+        float const span = std::max(glm::length(along), 1.0f);
+        glm::vec2 const half = 0.5f * std::max(1.0f, 36.0f * pen.s / span) * along, edge = 2.0f * pen.s * glm::normalize(half);  // seen end on, still an arrow
+        drawArrow(pen.list, middle - half - edge, middle + half + 2.0f * edge, 5.6f * pen.s, kHalo);
+        drawArrow(pen.list, middle - half, middle + half, 3.2f * pen.s, kPaper);
     }
     drawText(pen.list, fonts().small, middle + glm::vec2{0.0f, 8.0f * pen.s}, kPaper, fmt::format("{:.0f} m  {:.0f} kt", level.height, knots(speed)), 0.5f);
 }
@@ -111,13 +126,13 @@ void drawMapPoint(AirPen const& pen, glm::vec2 at, double up) {
 void drawMapLegend(AirPen const& pen, glm::vec2 at) {
     float const s = pen.s;
     for (bool const up : {true, false}) {
-        float x = at.x + (up ? 0.0f : 106.0f * s);
+        float x = at.x + (up ? 0.0f : 98.0f * s);
         for (double speed : {1.0, 3.0}) {
             drawMapPoint(pen, {x + 6.0f * s, at.y + 8.0f * s}, up ? speed : -speed);
             x += 16.0f * s;
             x += drawText(pen.list, fonts().small, {x, at.y}, kPaper, fmt::format("{:.0f}", speed)) + 6.0f * s;
         }
-        drawText(pen.list, fonts().small, {x, at.y}, kFaint, up ? "m/s up" : "down");
+        drawText(pen.list, fonts().small, {x, at.y}, kFaint, up ? "up" : "down");
     }
 }
 
@@ -125,20 +140,20 @@ void drawMap(AirPen const& pen, AirView const& view) {
     float const wide = 212.0f * pen.s, high = 190.0f * pen.s;
     glm::vec2 const from{pen.size.x - 14.0f * pen.s - wide, 84.0f * pen.s}, field = from + pen.s * glm::vec2{0.0f, 24.0f};
     pen.list.AddRectFilled(im(from), im(from + glm::vec2{wide, high + 48.0f * pen.s}), kPlate, 9.0f * pen.s);
-    drawText(pen.list, fonts().small, from + pen.s * glm::vec2{12.0f, 5.0f}, kYellow, "Lift at your height, ahead up");
-    glm::vec2 const own{field.x + 0.5f * wide, field.y + high - 14.0f * pen.s};
+    drawText(pen.list, fonts().small, from + pen.s * glm::vec2{12.0f, 5.0f}, kYellow, "Lift at your height, m/s");
+    glm::vec2 const own{field.x + 0.5f * wide - 16.0f * pen.s, field.y + high - 14.0f * pen.s};
     double const scale = static_cast<double>(high - 22.0f * pen.s) / kMapReach;  // pixels per metre
     glm::dvec2 const ahead{std::sin(view.subject.heading), std::cos(view.subject.heading)}, right{ahead.y, -ahead.x};
     glm::dvec2 const here{view.subject.positionWorld.x, -view.subject.positionWorld.z};
     for (double km : {2.0, 4.0}) {
         float const y = own.y - static_cast<float>(1000.0 * km * scale);
-        pen.list.AddLine({from.x + 8.0f * pen.s, y}, {from.x + wide - 34.0f * pen.s, y}, faded(kFaint, 0.25f));
-        drawText(pen.list, fonts().small, {from.x + wide - 6.0f * pen.s, y - 8.0f * pen.s}, kFaint, fmt::format("{:.0f} km", km), 1.0f);
+        pen.list.AddLine({from.x + 8.0f * pen.s, y}, {from.x + wide - 40.0f * pen.s, y}, faded(kFaint, 0.25f));
+        drawText(pen.list, fonts().small, {from.x + wide - 7.0f * pen.s, y - 8.0f * pen.s}, kFaint, fmt::format("{:.0f} km", km), 1.0f);
     }
     for (LiftPoint const& point : view.lift) {
         glm::dvec2 const away = point.eastNorth - here;
         glm::vec2 const at = own + glm::vec2{glm::dvec2{glm::dot(away, right), -glm::dot(away, ahead)} * scale};
-        if (at.x < from.x + 8.0f * pen.s || at.x > from.x + wide - 8.0f * pen.s || at.y < field.y + 4.0f * pen.s || at.y > field.y + high - 2.0f * pen.s) continue;
+        if (at.x < from.x + 8.0f * pen.s || at.x > from.x + wide - 40.0f * pen.s || at.y < field.y + 4.0f * pen.s || at.y > field.y + high - 2.0f * pen.s) continue;
         drawMapPoint(pen, at, point.up);
     }
     drawArrow(pen.list, own + glm::vec2{0.0f, 8.0f * pen.s}, own - glm::vec2{0.0f, 9.0f * pen.s}, 5.0f * pen.s, kHalo);
@@ -155,7 +170,8 @@ void drawAirOverlay(AirView const& view) {
     auto const distance = [&](LiftPoint const& point) { return glm::length(point.eastNorth - here); };
     std::erase_if(far, [&](LiftPoint const& point) { return std::abs(point.up) < kWorth || distance(point) < 200.0; });
     std::sort(far.begin(), far.end(), [&](LiftPoint const& a, LiftPoint const& b) { return distance(a) > distance(b); });
-    for (LiftPoint const& point : far) drawLiftArrow(pen, view, point);
+    std::vector<LiftPoint> const peaks = strongest(far);
+    for (LiftPoint const& point : peaks) drawLiftArrow(pen, view, point);
     for (WindLevel const& level : view.winds) drawWindArrow(pen, view, level);
     drawLadder(pen, view);
     drawMap(pen, view);

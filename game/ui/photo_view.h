@@ -17,7 +17,7 @@ struct PhotoView {
 /// What there is to show; an empty name: no photograph was given.
 struct PhotoState {
     std::string name;        // of the file
-    std::string taken;       // "taken 22 June 2023 17:21 UTC (EXIF)", "at no known time"
+    std::string taken;       // "taken 2023-06-22 17:21 UTC, by EXIF", "taken at no known time"
     std::string comparison;  // "colours alike: 0.73 (...)"; empty: not yet made
     PhotoView view;
     glm::ivec2 size{0};      // pixels

@@ -37,11 +37,13 @@ void drawTime(MenuWeather const& weather, WeatherAnswer& answer) {
     double hours = std::clamp((weather.utc - start) / kHour, 0.0, (end - start) / kHour);
     ImGui::SetNextItemWidth(-1.0f);
     if (drawSlider("##time", hours, 0.0, (end - start) / kHour, recorded ? "%.1f h after the start" : "%.1f h UTC")) answer.utc = start + hours * kHour;
+    ImGui::PushFont(fonts().small.letters);
     constexpr std::array<std::pair<char const*, double>, 6> kSteps{{{"\u22121 day", -24.0}, {"\u22121 h", -1.0}, {"\u221210 min", -1.0 / 6.0}, {"+10 min", 1.0 / 6.0}, {"+1 h", 1.0}, {"+1 day", 24.0}}};
     for (auto const& [label, step] : kSteps) {
         if (ImGui::Button(label)) answer.utc = std::clamp(weather.utc + step * kHour, start, end);
         if (label != kSteps.back().first) sameLine();
     }
+    ImGui::PopFont();
 }
 
 /// Buttons that break into a new line where the next would not fit.
@@ -61,14 +63,16 @@ private:
 
 void drawMoments(WeatherStrip const& strip, WeatherAnswer& answer) {
     if (strip.moments.empty()) return;
-    drawHelp("Moments of this recording");
+    ImGui::PushFont(fonts().small.letters);
     Flow flow;
     for (std::size_t i = 0; i < strip.moments.size(); ++i) {
         StripMoment const& moment = strip.moments[i];
         std::string const stamp = core::formatUtc(moment.time);
-        if (flow.button(fmt::format("{} {}.{}. {}##{}", moment.name, stamp.substr(8, 2), stamp.substr(5, 2), stamp.substr(11, 5), i)))
-            answer.utc = moment.time - 300.0;  // a little before, so that one sees it come
+        if (flow.button(fmt::format("{} {}. {}##{}", moment.name, stamp.substr(8, 2), stamp.substr(11, 5), i)))
+            answer.utc = std::max(strip.start, moment.time - 300.0);  // a little before, so that one sees it come
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Five minutes before");
     }
+    ImGui::PopFont();
 }
 
 void drawRate(MenuWeather const& weather, WeatherAnswer& answer) {
@@ -97,8 +101,8 @@ void drawReal(MenuWeather const& weather, WeatherAnswer& answer) {
     if (!beginPage("Recorded")) return;
     ImGui::BeginChild("rows", {0.0f, 0.0f}, false);
     drawTime(weather, answer);
-    if (weather.strip) drawMoments(*weather.strip, answer);
     drawRate(weather, answer);
+    if (weather.strip) drawMoments(*weather.strip, answer);
     ImGui::Separator();
     ImGui::TextUnformatted("Source");
     for (bool presets : {false, true}) {
@@ -113,11 +117,15 @@ void drawReal(MenuWeather const& weather, WeatherAnswer& answer) {
 void drawHourRow(MenuWeather::Hour const& hour, std::size_t index, WeatherAnswer& answer) {
     ImGui::PushID(static_cast<int>(index));
     float const button = 64.0f * unit();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kPaper), "%s", hour.name.c_str());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+    ImVec2 const corner = ImGui::GetCursorPos();
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - button);
     if (ImGui::Button("Fly", {button, 0.0f})) answer.hour = index;
-    drawHelp(hour.when);
+    ImGui::SetCursorPos(corner);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3.0f * unit()});
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", hour.name.c_str());
+    ImGui::TextUnformatted(hour.when.c_str());
     drawHelp(hour.why);
+    ImGui::PopStyleVar();
     ImGui::Separator();
     ImGui::PopID();
 }
@@ -125,7 +133,7 @@ void drawHourRow(MenuWeather::Hour const& hour, std::size_t index, WeatherAnswer
 void drawHours(MenuWeather const& weather, WeatherAnswer& answer) {
     if (!beginPage("Hours")) return;
     ImGui::BeginChild("rows", {0.0f, 0.0f}, false);
-    drawHelp("Hours worth seeing. To fly one begins a new flight there.");
+    drawHelp("Hours worth seeing. To fly one begins a new flight there and then.");
     for (std::size_t i = 0; i < weather.hours.size(); ++i) drawHourRow(weather.hours[i], i, answer);
     ImGui::EndChild();
     ImGui::EndTabItem();

@@ -25,7 +25,7 @@ struct Row {
 };
 constexpr Row kHighRow{0.0f, 15.0f}, kMidRow{17.0f, 15.0f}, kLowRow{34.0f, 20.0f}, kRainRow{58.0f, 26.0f}, kWindRow{88.0f, 28.0f},
     kHeatRow{120.0f, 32.0f}, kTimeRow{154.0f, 16.0f};
-constexpr float kStripHigh = 170.0f, kLabels = 40.0f, kScale = 64.0f;
+constexpr float kStripHigh = 170.0f, kLabels = 42.0f, kScale = 72.0f;
 
 struct StripPen {
     ImDrawList& list;
@@ -44,7 +44,7 @@ struct StripPen {
     }
     void name(Row row, char const* text) const {
         float const at = y(row.top + 0.5f * row.high) - 0.5f * fonts().small.size_px;
-        drawPlainText(list, fonts().small, {from.x - (kLabels + 2.0f) * unit(), at}, kFaint, text);
+        drawPlainText(list, fonts().small, {from.x - (kLabels - 1.0f) * unit(), at}, kFaint, text);
     }
     void scale(float units, std::string const& text) const {
         drawPlainText(list, fonts().small, {from.x + wide + 6.0f * unit(), y(units) - 0.5f * fonts().small.size_px}, kFaint, text);

@@ -33,7 +33,7 @@ struct Basel {
     }
     ui::MenuWeather menu() {
         ui::MenuWeather weather = desk.menu(session);
-        weather.photo = {"basel_20230622_1721.jpg", "taken 2023-06-22 17:21 UTC (EXIF)", "colours alike 0.731 (CIELAB histogram intersection, 0..1); to move: L* 4.1, a* 0.8, b* 3.2", {}, {400, 300}};
+        weather.photo = {"basel_20230622_1721.jpg", "taken 2023-06-22 17:21 UTC, by EXIF", "colours alike 0.731 (CIELAB histogram intersection, 0..1); to move: L* 4.1, a* 0.8, b* 3.2", {}, {400, 300}};
         return weather;
     }
 };

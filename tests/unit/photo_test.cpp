@@ -66,7 +66,7 @@ TEST(Photo, AFolderGivesItsImagesAndABadOneIsRefused) {
     std::vector<assets::PhotoFile> const photos = app::photosOption(folder, *core::parseUtc("2023-06-22T18:00Z"));
     ASSERT_EQ(photos.size(), 2u);
     EXPECT_EQ(photos[1].taken, core::parseUtc("2023-06-22T18:20Z"));
-    EXPECT_EQ(photos[1].saidBy, "name");
+    EXPECT_EQ(photos[1].saidBy, "its name");
     std::ofstream{folder / "20230622_1920.png"} << "no image either";
     EXPECT_THROW(assets::findPhotos(folder), core::Error);
 }
