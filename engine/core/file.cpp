@@ -36,12 +36,17 @@ void writeAndClose(int descriptor, fs::path const& file, std::string_view bytes,
 }
 }  // namespace
 
-std::string readFile(fs::path const& file) {
+std::string readFile(fs::path const& file, std::size_t most) {
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) throw Error{file.string(), "", "expected a file, found a folder"};
     std::ifstream in{file, std::ios::binary};
     if (!in) throw systemError(file, "cannot read");
-    std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+    std::string bytes;
+    char block[65536];
+    while (in.read(block, sizeof block) || in.gcount() > 0) {
+        bytes.append(block, static_cast<std::size_t>(in.gcount()));
+        if (bytes.size() > most) throw Error{file.string(), "", fmt::format("expected at most {} bytes", most)};
+    }
     if (in.bad()) throw systemError(file, "cannot read");
     return bytes;
 }

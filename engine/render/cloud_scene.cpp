@@ -96,10 +96,10 @@ void CloudScene::takeTiles(int budget) {
     }
 }
 
-void CloudScene::placeMaps(Snapshot const& snapshot) {
+void CloudScene::placeMaps(Snapshot const& snapshot, weather::Weather const& sky) {
     glm::dvec3 const& camera = snapshot.camera.positionWorld;
     for (int layer = 0; layer < block_.march.x; ++layer) {
-        weather::Layer const& now = snapshot.weather.layers[static_cast<std::size_t>(layer)];
+        weather::Layer const& now = sky.layers[static_cast<std::size_t>(layer)];
         int const slot = slotOfLayer_[static_cast<std::size_t>(layer)];
         for (int level = 0; level < weather::kMapLevels; ++level) {
             Slice const& slice = slices_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(level)];
@@ -124,21 +124,21 @@ void CloudScene::fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber) 
 void CloudScene::update(Snapshot const& snapshot, std::uint64_t frameNumber) {
     glm::dvec2 const eastNorth{snapshot.camera.positionWorld.x, -snapshot.camera.positionWorld.z};
     if (snapshot.clouds.noise != noiseSeed_) remakeVolumes(static_cast<unsigned>(snapshot.clouds.noise));
-    bool const any = snapshot.drawClouds && snapshot.weather.layerCount > 0;
-    block_.march.x = any ? snapshot.weather.layerCount : 0;
-    if (!any) return;
-    assignSlots(snapshot.weather);
+    weather::Weather const sky = snapshot.drawClouds ? skyAround(snapshot) : weather::Weather{};
+    block_.march.x = sky.layerCount;
+    if (sky.layerCount == 0) return;
+    assignSlots(sky);
     tiles_.want(slots_, eastNorth, snapshot.seed, snapshot.clouds.weatherScale, snapshot.still);
     takeTiles(snapshot.still ? weather::kMapLevels * weather::kMaxLayers : kTileBudget);
-    glsl::CloudShape const shape = weather::cloudShape(snapshot.weather, snapshot.seed, eastNorth, snapshot.clouds);
+    glsl::CloudShape const shape = weather::cloudShape(sky, snapshot.seed, eastNorth, snapshot.clouds);
     std::copy(std::begin(shape.layers), std::end(shape.layers), std::begin(block_.shapes));
-    auto const fields = layerFields(snapshot);
+    auto const fields = layerFields(snapshot, sky);
     for (std::size_t i = 0; i < fields.size(); ++i) {
         block_.fields[i] = fields[i];
         block_.shapes[i].extent.x = fields[i].low.y;
         block_.shapes[i].extent.y = fields[i].high.z;
     }
-    placeMaps(snapshot);
+    placeMaps(snapshot, sky);
     fillMarch(snapshot, frameNumber);
 }
 

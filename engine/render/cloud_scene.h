@@ -43,7 +43,7 @@ private:
     void remakeVolumes(unsigned seed);
     void assignSlots(weather::Weather const& weather);
     void takeTiles(int budget);
-    void placeMaps(Snapshot const& snapshot);
+    void placeMaps(Snapshot const& snapshot, weather::Weather const& sky);
     void fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber);
 
     gl::ProgramLibrary& programs_;

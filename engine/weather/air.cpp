@@ -196,7 +196,7 @@ core::AirSample AirInstant::at(glm::dvec3 const& positionWorld) const {
     double const east = positionWorld.x, north = -positionWorld.z, altitude = positionWorld.y;
     double const ground = data_->groundAt(east, north);
     double const height = std::max(altitude - ground, 0.0);
-    MeanAir const mean = now.field.meanAir(east, north, ground + height, ground);
+    MeanAir const mean = now.field.meanAir(east, north, altitude, ground);
 
     std::optional<CloudsNow> own;  // where the sites differ, so do the clouds from point to point
     if (!now.field.uniform()) own = cloudsOf(now.field.at(east, north), data_->seed, now.settings, data_->noise != nullptr);

@@ -1,7 +1,9 @@
 #include "engine/weather/diagnosis.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/core/math.h"
 #include "engine/weather/genera.h"
 
 namespace luftpost::weather {
@@ -25,6 +27,19 @@ Genus lowGenus(Signs const& s, double cover, double baseAboveGround) {
     if (s.mid > 0.8 && cover > 0.5 && s.rate > kSteadyRain) return Genus::Ns;
     if (convective(s, cover)) return Genus::Cu;
     if (baseAboveGround < 600.0 && cover > 0.7 && s.spread < 2.0 && s.windSpeed < 6.0) return Genus::St;
+    return Genus::Sc;
+}
+
+/// Fitted to what an observer at Basel called the sky: closed low cloud gives back most of what a clear sky lacks, cloud high up
+/// next to nothing, and cumulus stands by day over dry, warm ground.
+Genus genusByReturn(Signs const& s, double cover, double given) {
+    constexpr double kHeavy = 6.0;  // mm/h
+    double const share = given / std::max(cover, 0.0625);
+    if (thundery(s) || (s.rate >= kHeavy && cover >= 0.75)) return Genus::Cb;
+    if (s.rate > kSteadyRain && cover > 0.95 && s.spread > 2.0) return Genus::Ns;
+    if (cover >= 0.85 && share >= 0.7 && s.spread < 4.0) return Genus::St;
+    if (s.sunSine > 0.0 && s.spread >= 5.0 && s.temperature >= 280.15 && cover <= 0.9) return Genus::Cu;
+    if (share < 0.15) return cover < 0.4 ? Genus::Ci : cover > 0.95 ? Genus::Cs : Genus::Ac;
     return Genus::Sc;
 }
 
@@ -82,5 +97,34 @@ std::vector<FullLayer> diagnosedLayers(Signs const& s) {
     if (s.mid >= kLeastCover && !rainCloud) add(midGenus(s, s.mid), s.mid);
     if (s.high >= kLeastCover) add(highGenus(s.high), s.high);
     return layers;
+}
+
+std::optional<double> skyReturn(Signs const& s) {
+    constexpr double kStefanBoltzmann = 5.670374e-8;  // W/(m2 K4)
+    if (!s.longwave) return std::nullopt;
+    double const celsius = s.dewPoint - 273.15, vapour = 6.112 * core::exp(17.62 * celsius / (243.12 + celsius));  // hPa
+    double const black = kStefanBoltzmann * s.temperature * s.temperature * s.temperature * s.temperature;
+    double const clear = std::min(1.24 * core::pow(vapour / s.temperature, 1.0 / 7.0), 0.97);
+    return (*s.longwave / black - clear) / (1.0 - clear);
+}
+
+std::optional<double> coverFromRadiation(Signs const& s) {
+    constexpr double kHighSun = 0.17;     // sine of 10 degrees: lower, the index says little
+    constexpr double kClosedLow = 0.8;    // what closed low cloud gives back
+    if (s.radiation && s.sunSine > kHighSun) {
+        double const clear = 1098.0 * s.sunSine * core::exp(-0.057 / s.sunSine);
+        double const lost = std::clamp((1.0 - std::max(*s.radiation, 0.0) / clear) / 0.75, 0.0, 1.0);
+        return lost > 0.0 ? core::pow(lost, 1.0 / 3.4) : 0.0;
+    }
+    if (auto const given = skyReturn(s)) return std::clamp(*given / kClosedLow, 0.0, 1.0);
+    return std::nullopt;
+}
+
+std::vector<FullLayer> layersOfTotal(Signs const& s, double cover) {
+    if (cover < kLeastCover) return {};
+    auto const given = skyReturn(s);
+    Genus const genus = given && !foggy(s) ? genusByReturn(s, cover, *given) : lowGenus(s, cover, liftingHeight(s));
+    double const base = typicalBase(s, genus);
+    return {{genus, cover, base, typicalTop(s, genus, cover, base)}};
 }
 }  // namespace luftpost::weather

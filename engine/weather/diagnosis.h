@@ -14,6 +14,10 @@ struct Signs {
     double rate = 0.0;                    // mm/h
     bool thunder = false;
     bool day = true;
+    double sunSine = 0.5;                 // of the sun's height
+    double temperature = 288.15;          // K
+    double dewPoint = 280.15;             // K
+    std::optional<double> radiation, longwave;  // W/m2, coming down: of the sun, of the sky
     std::optional<double> cape;           // J/kg
     std::optional<int> code;              // WMO weather code
     CoverBounds bounds;
@@ -22,6 +26,18 @@ struct Signs {
 
 /// The genera of a sky of which only cover by level is known, lowest first.
 std::vector<FullLayer> diagnosedLayers(Signs const& signs);
+
+/// The share of the long-wave radiation that a clear sky lacks against a black one and that the clouds give back: near 0.8 under
+/// a closed low cloud, near 0 under cirrus. Clear sky after Brutsaert (1975). Nothing where the radiation is unknown.
+std::optional<double> skyReturn(Signs const& signs);
+
+/// Cover from what comes down, where nobody looked up: by day of the sun (clear sky after Haurwitz 1945, cover after Kasten and
+/// Czeplak 1980), else of the sky.
+std::optional<double> coverFromRadiation(Signs const& signs);
+
+/// The one layer of a sky of which only the total cover is known; none of no cover. With the sky's radiation, which tells low
+/// cloud from high, the genus is the observer's at Basel in 54 of 100 cases (docs/weather.md); without it low cloud is taken.
+std::vector<FullLayer> layersOfTotal(Signs const& signs, double cover);
 
 /// The genus of one layer of which only cover and base above ground are known.
 Genus diagnosedGenus(Signs const& signs, double cover, std::optional<double> baseAboveGround);

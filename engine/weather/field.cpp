@@ -14,51 +14,22 @@
 
 namespace luftpost::weather {
 namespace {
-constexpr double kNearest = 1000.0;    // m: a site's weight grows no further within
-constexpr double kLeastCover = 0.004;  // less is no layer
-
-constexpr double kGasConstant = 287.05287;  // J/(kg K), dry air (ISO 2533)
-constexpr double kLapse = 0.0065;           // K/m
-constexpr double kTropopause = 11000.0;     // m
-
-struct Thermo {
-    double temperature, pressure;
-};
-
-/// The standard atmosphere's lapse from the temperature and pressure reduced to sea level; isothermal above 11 km (ISO 2533).
-Thermo thermoAt(double temperatureSea, double pressureSea, double altitude) {
-    static double const exponent = core::kGravity / (kGasConstant * kLapse);
-    double const below = std::min(altitude, kTropopause);
-    double const temperature = temperatureSea - kLapse * below;
-    double pressure = pressureSea * core::pow(std::max(temperature, 100.0) / temperatureSea, exponent);
-    if (altitude > kTropopause) pressure *= core::exp(-core::kGravity * (altitude - kTropopause) / (kGasConstant * temperature));
-    return {temperature, pressure};
-}
+constexpr double kNearest = 1.0;       // m: a site's weight grows no further within
+constexpr double kFrontNear = 7200.0;  // s: what passes later is not near
 
 /// A site's weight, before they are made to sum to 1.
 double nearness(double east, double north) { return 1.0 / (east * east + north * north + kNearest * kNearest); }
-
-/// No more layers than a Weather holds: the least ones go, and what is hardly more fades toward them, so that none flashes.
-void fitLayers(std::vector<Layer>& layers) {
-    if (layers.size() <= kMaxLayers) return;
-    std::vector<float> covers;
-    for (Layer const& layer : layers) covers.push_back(layer.cover);
-    std::sort(covers.rbegin(), covers.rend());
-    float const least = covers[kMaxLayers];
-    for (Layer& layer : layers) layer.cover *= std::clamp((layer.cover - least) / least, 0.0f, 1.0f);
-    std::erase_if(layers, [](Layer const& layer) { return layer.cover <= 0.0f; });
-}
 }  // namespace
 
-double Field::Data::weight(std::size_t site, double east, double north) const {
-    if (sites.size() == 1) return 1.0;
-    double sum = 0.0, own = 0.0;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        double const weight = nearness(east - sites[i].east, north - sites[i].north);
-        sum += weight;
-        if (i == site) own = weight;
+std::vector<double> Field::Data::weights(double east, double north) const {
+    std::vector<double> weights;
+    double sum = 0.0;
+    for (SiteData const& site : sites) {
+        weights.push_back(nearness(east - site.east, north - site.north));
+        sum += weights.back();
     }
-    return own / sum;
+    for (double& weight : weights) weight /= sum;
+    return weights;
 }
 
 /// All of a site's weather but visibility and layers.
@@ -99,94 +70,54 @@ Profile Field::Data::profile(std::size_t index, double time) const {
     return profile;
 }
 
-/// The report in whose interval the time lies.
+Masses Field::Data::masses(std::size_t index, double time) const {
+    SiteData const& site = sites[index];
+    Masses masses;
+    masses.pressureSea = site.pressureSea.at(time);
+    masses.add(site.elevation, site.temperature.at(time), site.dewPoint.at(time));
+    for (MassCurve const& level : site.masses)
+        masses.add(level.altitude, level.temperature.at(time), level.dewPoint ? std::optional{level.dewPoint->at(time)} : std::nullopt);
+    return masses;
+}
+
+/// The report in whose interval the time lies; before a front's window the one before it.
 std::size_t Field::Data::reportIndex(std::size_t index, double time) const {
     SiteData const& site = sites[index];
     auto const at = std::lower_bound(site.times.begin(), site.times.end(), time);
-    return static_cast<std::size_t>(std::min(at - site.times.begin(), static_cast<std::ptrdiff_t>(site.times.size()) - 1));
+    auto const report = static_cast<std::size_t>(std::min(at - site.times.begin(), static_cast<std::ptrdiff_t>(site.times.size()) - 1));
+    for (auto const& [front, window] : site.fronts)
+        if (report > 0 && window.from > site.times[report - 1] && window.from <= site.times[report] && time < window.from) return report - 1;
+    return report;
 }
 
-namespace {
-/// The track's layer over a point, by the sites' weights there.
-std::optional<Layer> layerOf(TrackNow const& track, std::vector<double> const& weights) {
-    double cover = 0.0, base = 0.0, top = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        Extent const& extent = track.sites[i];
-        if (!extent.present) continue;
-        cover += weights[i] * extent.cover;
-        base += weights[i] * extent.base;
-        top += weights[i] * extent.top;
-        sum += weights[i];
+std::vector<Extent> Field::Data::extents(std::size_t index, double time) const {
+    SiteData const& site = sites[index];
+    bool const clouds = site.knows[static_cast<std::size_t>(Quantity::Clouds)];
+    Report const& said = recording.sites[index].reports[reportIndex(index, time)];
+    std::vector<Extent> extents;
+    for (std::size_t t = 0; t < tracks.size(); ++t) {
+        Extent extent;
+        if (auto const& curves = site.curves[t]) {
+            extent = {true, true, curves->cover.at(time), 0.0, 0.0};
+            extent.base = curves->base.at(time);
+            extent.top = curves->top.at(time);
+        } else {
+            extent.knows = clouds && (!said.layersTo_m || said.coverHigh || tracks[t].meanBase < *said.layersTo_m);
+        }
+        extents.push_back(extent);
     }
-    if (cover <= kLeastCover) return std::nullopt;
-    Layer layer = track.layer;
-    // Fades in from nothing: the least cover is taken off and grows back over as much again.
-    layer.cover = static_cast<float>(std::min({1.0, cover, 2.0 * (cover - kLeastCover)}));
-    layer.base = static_cast<float>(base / sum);
-    layer.top = static_cast<float>(top / sum);
-    return layer;
-}
-}  // namespace
-
-bool FieldInstant::uniform() const { return now_->sites.size() == 1; }
-core::UtcSeconds FieldInstant::time() const { return now_->time; }
-
-Weather FieldInstant::at(double east, double north) const {
-    std::vector<SiteNow> const& sites = now_->sites;
-    std::vector<double> weights;
-    for (SiteNow const& site : sites) weights.push_back(nearness(east - site.east, north - site.north));
-    double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    Weather weather;
-    weather.gust = weather.temperature = weather.dewPoint = weather.pressureSea = weather.freezingLevel = 0.0;
-    double logVisibility = 0.0, wettest = 0.0, nearest = 0.0;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        Weather const& own = sites[i].weather;
-        double const w = weights[i] /= sum, rain = w * own.precipitationRate;
-        weather.windSurface += w * own.windSurface;
-        weather.gust += w * own.gust;
-        weather.temperature += w * own.temperature;
-        weather.dewPoint += w * own.dewPoint;
-        weather.pressureSea += w * own.pressureSea;
-        weather.cape += w * own.cape;
-        weather.freezingLevel += w * own.freezingLevel;
-        weather.snowDepth += w * own.snowDepth;
-        weather.precipitationRate += rain;
-        logVisibility += w * sites[i].profile.logVisibility;
-        if (rain > wettest) weather.precipitation = own.precipitation;
-        if (w > nearest) weather.thunder = own.thunder;
-        wettest = std::max(wettest, rain);
-        nearest = std::max(nearest, w);
-    }
-    weather.visibility = core::exp(logVisibility);
-    std::vector<Layer> layers;
-    for (TrackNow const& track : now_->tracks)
-        if (auto const one = layerOf(track, weights)) layers.push_back(*one);
-    fitLayers(layers);
-    std::stable_sort(layers.begin(), layers.end(), [](Layer const& a, Layer const& b) { return a.base < b.base; });
-    for (Layer const& one : layers) weather.layers[static_cast<std::size_t>(weather.layerCount++)] = one;
-    return weather;
+    return extents;
 }
 
-MeanAir FieldInstant::meanAir(double east, double north, double altitude, double ground) const {
-    double sum = 0.0;
-    for (SiteNow const& site : now_->sites) sum += nearness(east - site.east, north - site.north);
-    MeanAir mean;
-    mean.gust = mean.logVisibility = 0.0;
-    double temperatureSea = 0.0, pressureSea = 0.0;
-    for (SiteNow const& site : now_->sites) {
-        Profile const& profile = site.profile;
-        double const w = uniform() ? 1.0 : nearness(east - site.east, north - site.north) / sum;
-        mean.wind += w * windAt(profile, altitude, ground);
-        mean.windSurface += w * profile.windSurface;
-        mean.gust += w * profile.gust;
-        mean.logVisibility += w * profile.logVisibility;
-        temperatureSea += w * (profile.temperature + kLapse * profile.elevation);
-        pressureSea += w * profile.pressureSea;
+double Field::Data::readingTimeAt(std::size_t index, double east, double north, double time) const {
+    std::vector<PassedBy> passed;
+    for (auto const& [front, window] : sites[index].fronts) {
+        Front const& line = fronts[front];
+        auto const pass = std::find_if(line.passes.begin(), line.passes.end(), [&](FrontPass const& p) { return p.site == index; });
+        if (std::abs(time - pass->seen.time) > kFrontReach) continue;
+        passed.push_back({pass->seen.time, line.passageAt(east, north) - pass->seen.time});
     }
-    auto const [temperature, pressure] = thermoAt(temperatureSea, pressureSea, altitude);
-    mean.temperature = temperature;
-    mean.pressure = pressure;
-    return mean;
+    return passed.empty() ? time : readingTime(time, passed);
 }
 
 Field::Field(std::shared_ptr<Data const> data) : data_{std::move(data)} {}
@@ -198,30 +129,19 @@ FieldInstant Field::instant(core::UtcSeconds time) const {
     Data const& d = *data_;
     auto now = std::make_shared<FieldInstant::Now>();
     now->time = time;
-    for (std::size_t i = 0; i < d.sites.size(); ++i) 
-        now->sites.push_back({d.sites[i].east, d.sites[i].north, d.siteWeather(i, time), d.profile(i, time)});
-    for (std::size_t t = 0; t < d.tracks.size(); ++t) {
-        TrackNow track;
-        bool any = false;
-        for (SiteData const& site : d.sites) {
-            Extent extent;
-            if (auto const& curves = site.curves[t]) {
-                double const cover = curves->cover.at(time);
-                extent = {true, cover, curves->base.at(time), curves->top.at(time)};
-                any = any || cover > 0.0;
-            }
-            track.sites.push_back(extent);
-        }
-        if (!any) continue;
-        FieldTrack const& own = d.tracks[t];
-        track.layer.genus = own.genus;
-        track.layer.water = static_cast<float>(genusRow(own.genus).water);
-        track.layer.wind = own.wind.at(time);
-        track.layer.drift = own.wind.integralTo(time) - own.atStart;
-        track.layer.phase = (time - d.start) / 3600.0;
-        track.layer.pattern = own.pattern;
-        now->tracks.push_back(std::move(track));
+    now->data = data_;
+    for (std::size_t i = 0; i < d.sites.size(); ++i) now->sites.push_back(d.siteNow(i, time));
+    for (FieldTrack const& track : d.tracks) {
+        Layer layer;
+        layer.genus = track.genus;
+        layer.water = static_cast<float>(genusRow(track.genus).water);
+        layer.wind = track.wind.at(time);
+        layer.drift = track.wind.integralTo(time) - track.atStart;
+        layer.phase = (time - d.start) / 3600.0;
+        layer.pattern = track.pattern;
+        now->tracks.push_back(layer);
     }
+    now->frontal = std::any_of(d.passages.begin(), d.passages.end(), [&](Passage const& p) { return std::abs(time - p.time) < kFrontReach; });
     FieldInstant instant;
     instant.now_ = std::move(now);
     return instant;
@@ -239,6 +159,20 @@ Origin const& Field::origin() const { return data_->origin; }
 Recording const& Field::recording() const { return data_->recording; }
 std::vector<std::vector<FieldReport>> const& Field::reports() const { return data_->reports; }
 std::size_t Field::sites() const { return data_->sites.size(); }
+std::vector<Passage> const& Field::passages() const { return data_->passages; }
+
+std::optional<FrontNear> Field::front(double east, double north, core::UtcSeconds time) const {
+    std::optional<FrontNear> nearest;
+    double soonest = kFrontNear;
+    for (Front const& front : data_->fronts) {
+        double const due = front.passageAt(east, north) - time;
+        if (std::abs(due) > soonest) continue;
+        soonest = std::abs(due);
+        nearest = {front.slowness * front.speed(), front.speed(), due * front.speed(), front.width()};
+    }
+    return nearest;
+}
+
 std::vector<unsigned> Field::patterns() const {
     std::vector<unsigned> patterns;
     for (FieldTrack const& track : data_->tracks) patterns.push_back(track.pattern);

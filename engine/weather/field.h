@@ -43,6 +43,12 @@ struct FieldReport {
     Filled filled;
 };
 
+/// A report of one of the sites.
+struct SiteReport {
+    std::size_t site = 0;
+    FieldReport report;
+};
+
 /// The mean air over one site at one time: all that wind, temperature and pressure need at any height.
 struct Profile {
     static constexpr int kMaxLevels = 40;
@@ -149,6 +155,8 @@ public:
     /// The recording that stands behind (a preset makes its own), and its reports with what was filled in.
     Recording const& recording() const;
     std::vector<std::vector<FieldReport>> const& reports() const;  // [site][report]
+    /// The same in the order of the file; a report that another one of its time supersedes is filled as if it stood alone.
+    std::vector<SiteReport> listedReports() const;
     /// The field over a site, in the shape of a report.
     FieldReport reportAt(std::size_t site, core::UtcSeconds time) const;
 

@@ -84,6 +84,24 @@ void reportSurface(Report const& left, Report const& right, Weather const& weath
 }
 }  // namespace
 
+std::vector<SiteReport> Field::listedReports() const {
+    Data const& d = *data_;
+    std::vector<SiteReport> listed;
+    for (ListedReport const& entry : d.recording.order) {
+        if (!entry.superseded) {
+            listed.push_back({entry.site, d.reports[entry.site][entry.report]});
+            continue;
+        }
+        Site const& site = d.recording.sites[entry.site];
+        Site const alone{site.name, site.lat_deg, site.lon_deg, site.elevation_m, {site.superseded[entry.report]}, {}};
+        listed.push_back({entry.site, {alone.reports[0], fullReports(alone)[0].filled}});
+    }
+    if (d.recording.order.empty())
+        for (std::size_t i = 0; i < d.reports.size(); ++i)
+            for (FieldReport const& report : d.reports[i]) listed.push_back({i, report});
+    return listed;
+}
+
 FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
     Data const& d = *data_;
     SiteData const& own = d.sites[site];
@@ -95,6 +113,7 @@ FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
     Report& r = answer.said;
     r.time = time;
     reportSurface(left, right, weather, answer);
+    if (!d.recording.sites[site].elevation_m) answer.filled["elevation_m"] = own.elevation;
     if (a == b) r.verticalVisibility_m = left.verticalVisibility_m;
     r.layersTo_m = right.layersTo_m;
     if (left.layers || right.layers) r.layers.emplace();

@@ -18,6 +18,7 @@ constexpr double kGustFactor = 1.567;          // gust over mean: three rms of D
 constexpr double kUnknownSpeed = 3.0;          // m/s
 constexpr double kUnknownFrom = 270.0;         // deg, the westerlies
 constexpr double kUsualInterval = 3600.0;      // s
+constexpr double kDryLapse = 0.00976;          // K/m, dry adiabatic
 constexpr double kLapseRate = 0.0065;          // K/m, standard atmosphere
 
 /// A quantity over the reports: what was said, then the file's filling, then neighbours in time, then `otherwise`.
@@ -88,7 +89,9 @@ Precipitation kindByTemperature(double temperature) {
 
 void fillPrecipitation(Report const& said, FullReport& full) {
     auto const coded = fallenFromCode(said.weatherCode);
-    bool const openKind = !said.precipitationKind || *said.precipitationKind == Precipitation::Unknown;
+    // Nothing falls at the moment of the report, but something did in its interval: the kind of that is open too.
+    bool const over = said.precipitationKind == Precipitation::None && said.rate_mm_h.value_or(0.0) > 0.0;
+    bool const openKind = !said.precipitationKind || *said.precipitationKind == Precipitation::Unknown || over;
     bool const knownFalls = !openKind && *said.precipitationKind != Precipitation::None;
     if (said.rate_mm_h) {
         full.rate = *said.rate_mm_h;
@@ -130,7 +133,12 @@ Signs signsOf(Site const& site, Report const& said, FullReport const& full) {
     signs.windSpeed = glm::length(full.wind);
     signs.rate = full.rate;
     signs.thunder = full.thunder;
-    signs.day = sunHeight(site.lat_deg.value_or(0.0), site.lon_deg.value_or(0.0), full.time) > 0.087;  // 5 degrees
+    signs.sunSine = sunHeight(site.lat_deg.value_or(0.0), site.lon_deg.value_or(0.0), full.time);
+    signs.day = signs.sunSine > 0.087;  // 5 degrees
+    signs.temperature = full.temperature;
+    signs.dewPoint = full.dewPoint;
+    signs.radiation = said.radiation_w_m2;
+    signs.longwave = said.longwave_w_m2;
     signs.cape = said.cape_j_kg;
     signs.code = said.weatherCode;
     signs.bounds = said.coverBounds;
@@ -169,21 +177,34 @@ void addFilledLayer(FullLayer const& layer, FullReport& full) {
     full.filled[fmt::format("layers[{}].top_m", i)] = layer.top;
 }
 
-/// A sky of which no layer was reported: cover by level, else the total, else the obscured sky's fog.
-void fillUnsaidLayers(Report const& said, Signs signs, FullReport& full) {
+/// A sky of which no layer was reported: the file's own filling, else cover by level, else the total, else the obscured sky's fog,
+/// else, at a place where nobody ever looks up, what comes down.
+void fillUnsaidLayers(Report const& said, Signs const& signs, bool watched, FullReport& full) {
+    if (said.filled.contains("layers[0].genus")) {
+        for (std::size_t i = 0; said.filled.contains(fmt::format("layers[{}].genus", i)); ++i)
+            full.layers.push_back(fullLayer(signs, {}, said.filled, i, full.filled));
+        return;
+    }
     bool const byLevel = said.coverLow || said.coverMid || said.coverHigh;
-    if (!byLevel && said.coverTotal) signs.low = *said.coverTotal;
-    // A total alone is taken to be low cloud: what one sees most of from below.
-    if (byLevel || said.coverTotal)
-        for (FullLayer const& layer : diagnosedLayers(signs)) addFilledLayer(layer, full);
+    std::optional<double> total = said.coverTotal;
+    if (!total && !byLevel && !watched && !said.verticalVisibility_m) total = coverFromRadiation(signs);
+    if (byLevel || total)
+        for (FullLayer const& layer : byLevel ? diagnosedLayers(signs) : layersOfTotal(signs, *total)) addFilledLayer(layer, full);
     else if (said.verticalVisibility_m)
         addFilledLayer({Genus::Fog, 1.0, signs.elevation, signs.elevation + std::max(100.0, *said.verticalVisibility_m)}, full);
 }
 
-void fillLayers(Site const& site, Report const& said, FullReport& full) {
+/// Whether any report says anything of clouds.
+bool watched(Site const& site) {
+    return std::any_of(site.reports.begin(), site.reports.end(), [](Report const& r) {
+        return r.layers || r.coverLow || r.coverMid || r.coverHigh || r.coverTotal || r.verticalVisibility_m;
+    });
+}
+
+void fillLayers(Site const& site, bool watched, Report const& said, FullReport& full) {
     Signs const signs = signsOf(site, said, full);
     if (!said.layers) {
-        fillUnsaidLayers(said, signs, full);
+        fillUnsaidLayers(said, signs, watched, full);
         return;
     }
     for (std::size_t i = 0; i < said.layers->size(); ++i)
@@ -280,6 +301,13 @@ double relativeHumidity(double temperature, double dewPoint) {
     return std::clamp(core::exp(magnus(dewPoint - kZeroCelsius) - magnus(temperature - kZeroCelsius)), 0.0, 1.0);
 }
 
+double condensationHeight(double temperature, double dewPoint) {
+    double const dew = std::min(dewPoint, temperature);
+    if (dew < 60.0) return 12000.0;
+    double const there = 1.0 / (1.0 / (dew - 56.0) + core::log(temperature / dew) / 800.0) + 56.0;
+    return std::clamp((temperature - there) / kDryLapse, 0.0, 12000.0);
+}
+
 double visibilityFromHumidity(double humidity) { return 60000.0 * core::exp(-2.5 * (std::max(humidity, 0.15) * 100.0 - 15.0) / 80.0); }
 
 std::vector<FullReport> fullReports(Site const& site) {
@@ -288,11 +316,14 @@ std::vector<FullReport> fullReports(Site const& site) {
     Series const dewPoint = seriesOf(site, "dew_point_c", saidDewPoint, 7.0 - kLapseRate * elevation);
     Series const pressure = seriesOf(site, "pressure_hpa", saidPressure, 1013.25);
     WindSeries const wind = windSeries(site);
+    bool const looksUp = watched(site);
     std::vector<FullReport> reports;
     for (std::size_t i = 0; i < site.reports.size(); ++i) {
         Report const& said = site.reports[i];
         FullReport full;
         full.time = said.time;
+        if (auto const own = said.filled.find("time"); own != said.filled.end()) full.filled.insert(*own);
+        if (!site.elevation_m) full.filled["elevation_m"] = elevation;
         full.interval = said.interval_s.value_or(i > 0 ? said.time - site.reports[i - 1].time : kUsualInterval);
         fillWind(wind, i, said, full);
         fillMasses(temperature, dewPoint, pressure, i, full);
@@ -303,7 +334,7 @@ std::vector<FullReport> fullReports(Site const& site) {
         full.freezingLevel = said.freezingLevel_m.value_or(elevation + (full.temperature - kZeroCelsius) / kLapseRate);
         full.snowDepth = said.snowDepth_m.value_or(0.0);
         full.levels = said.levels;
-        fillLayers(site, said, full);
+        fillLayers(site, looksUp, said, full);
         reports.push_back(std::move(full));
     }
     return reports;

@@ -47,6 +47,9 @@ double sunHeight(double lat_deg, double lon_deg, core::UtcSeconds time);
 /// Relative humidity 0..1 by Magnus' formula (coefficients of Sonntag 1990). K.
 double relativeHumidity(double temperature, double dewPoint);
 
+/// Height in m at which air lifted from the ground forms cloud: Bolton (1980), equation 15, dry adiabatic up to there. K.
+double condensationHeight(double temperature, double dewPoint);
+
 /// Visibility in m (5 % contrast) that goes with a humidity: 60 km exp(-2.5 (RH - 15 %)/80 %) (Smirnova et al. 2000).
 double visibilityFromHumidity(double humidity);
 }  // namespace luftpost::weather

@@ -15,17 +15,12 @@
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/weather/genera.h"
+#include "engine/weather/json_body.h"
+#include "engine/weather/ranges.h"
 
 namespace luftpost::weather {
 namespace {
 using Json = nlohmann::json;
-
-struct Range {
-    double low, high;
-};
-constexpr Range kCover{0.0, 1.0}, kCloudHeight{-500.0, 30000.0}, kAltitude{-500.0, 50000.0}, kSpeed{0.0, 150.0},
-    kDegrees{0.0, 360.0}, kTemperature{-100.0, 70.0}, kVisibility{0.0, 300000.0}, kPressure{800.0, 1100.0},
-    kRate{0.0, 2000.0}, kInterval{1.0, 172800.0};
 
 /// One JSON value, where it stands, and the file it came from: says no in one line.
 class Node {
@@ -154,7 +149,7 @@ std::vector<ReportedLevel> readLevels(Node const& node) {
         ReportedLevel level;
         level.altitude_m = entry.required("altitude_m").number(kAltitude);
         level.temperature_c = entry.number("temperature_c", kTemperature);
-        level.dew_point_c = entry.number("dew_point_c", {-150.0, 70.0});
+        level.dew_point_c = entry.number("dew_point_c", kDewPoint);
         level.speed_mps = entry.number("speed_mps", kSpeed);
         level.from_deg = entry.number("from_deg", kDegrees);
         level.cover = entry.number("cover", kCover);
@@ -183,11 +178,18 @@ std::optional<std::string_view> layerPart(std::string_view place) {
     return place.substr(digits + 2);
 }
 
+core::UtcSeconds readTime(Node const& node) {
+    auto const time = core::parseUtc(node.text());
+    if (!time) node.failHere("a time such as \"2023-06-23T18:40Z\"");
+    return *time;
+}
+
 /// What a place of `filled` must hold.
 std::optional<FilledValue> readFilledValue(std::string_view place, Node const& node) {
     static constexpr std::pair<std::string_view, Range> kNumbers[] = {
         {"wind.speed_mps", kSpeed}, {"wind.gust_mps", kSpeed}, {"wind.from_deg", kDegrees}, {"visibility_m", kVisibility},
-        {"temperature_c", kTemperature}, {"dew_point_c", {-150.0, 70.0}}, {"pressure_hpa", kPressure}, {"precipitation.rate_mm_h", kRate}};
+        {"temperature_c", kTemperature}, {"dew_point_c", kDewPoint}, {"pressure_hpa", kPressure}, {"precipitation.rate_mm_h", kRate},
+        {"elevation_m", {-500.0, 9000.0}}};
     if (auto const part = layerPart(place)) {
         if (*part == "genus") return std::string{genusName(readGenus(node))};
         if (*part == "cover") return node.number(kCover);
@@ -195,6 +197,7 @@ std::optional<FilledValue> readFilledValue(std::string_view place, Node const& n
     }
     if (place == "precipitation.kind") return std::string{precipitationName(readKind(node))};
     if (place == "thunder") return node.yes();
+    if (place == "time") return core::formatUtc(readTime(node));
     for (auto const& [name, range] : kNumbers)
         if (place == name) return node.number(range);
     return std::nullopt;
@@ -210,12 +213,6 @@ Filled readFilled(Node const& node) {
         else node.noteUnknown(place);
     }
     return filled;
-}
-
-core::UtcSeconds readTime(Node const& node) {
-    auto const time = core::parseUtc(node.text());
-    if (!time) node.failHere("a time such as \"2023-06-23T18:40Z\"");
-    return *time;
 }
 
 void readWindAndRain(Node const& node, Report& report) {
@@ -256,17 +253,17 @@ Report readReport(Node const& node) {
     readWindAndRain(node, report);
     report.visibility_m = node.number("visibility_m", kVisibility);
     report.visibilityIsMinimum = node.yes("visibility_is_minimum").value_or(false);
-    report.verticalVisibility_m = node.number("vertical_visibility_m", {0.0, 30000.0});
+    report.verticalVisibility_m = node.number("vertical_visibility_m", kVerticalVisibility);
     report.temperature_c = node.number("temperature_c", kTemperature);
-    report.dew_point_c = node.number("dew_point_c", {-150.0, 70.0});
+    report.dew_point_c = node.number("dew_point_c", kDewPoint);
     report.pressure_hpa = node.number("pressure_hpa", kPressure);
     readSky(node, report);
-    report.cape_j_kg = node.number("cape_j_kg", {0.0, 20000.0});
-    report.freezingLevel_m = node.number("freezing_level_m", {-2000.0, 12000.0});
-    report.snowDepth_m = node.number("snow_depth_m", {0.0, 50.0});
-    report.radiation_w_m2 = node.number("radiation_w_m2", {-50.0, 2000.0});
-    report.longwave_w_m2 = node.number("longwave_w_m2", {0.0, 1000.0});
-    if (auto const code = node.number("weather_code", {0.0, 99.0})) {
+    report.cape_j_kg = node.number("cape_j_kg", kCape);
+    report.freezingLevel_m = node.number("freezing_level_m", kFreezingLevel);
+    report.snowDepth_m = node.number("snow_depth_m", kSnowDepth);
+    report.radiation_w_m2 = node.number("radiation_w_m2", kRadiation);
+    report.longwave_w_m2 = node.number("longwave_w_m2", kLongwave);
+    if (auto const code = node.number("weather_code", kWeatherCode)) {
         if (*code != std::floor(*code)) node.required("weather_code").failHere("a whole number from 0 to 99");
         report.weatherCode = static_cast<int>(*code);
     }
@@ -277,9 +274,9 @@ Site readSite(Node const& node) {
     node.object({"name", "lat", "lon", "elevation_m", "reports"});
     Site site;
     site.name = node.required("name").text();
-    site.lat_deg = node.number("lat", {-90.0, 90.0});
-    site.lon_deg = node.number("lon", {-180.0, 180.0});
-    site.elevation_m = node.number("elevation_m", {-500.0, 9000.0});
+    site.lat_deg = node.number("lat", kLatitude);
+    site.lon_deg = node.number("lon", kLongitude);
+    site.elevation_m = node.number("elevation_m", kElevation);
     if (site.lat_deg.has_value() != site.lon_deg.has_value()) node.fail("expected both lat and lon, or neither");
     Node const reports = node.required("reports");
     reports.array();
@@ -293,27 +290,6 @@ Site readSite(Node const& node) {
     return site;
 }
 
-/// "line 3, column 14" of a byte of the text.
-std::string lineAndColumn(std::string_view bytes, std::size_t byte) {
-    std::string_view const before = bytes.substr(0, std::min(byte, bytes.size()));
-    auto const line = 1 + std::count(before.begin(), before.end(), '\n');
-    auto const newline = before.rfind('\n');
-    return fmt::format("line {}, column {}", line, before.size() - (newline == before.npos ? 0 : newline + 1));
-}
-
-Json parseJson(std::string_view bytes, std::string const& file) {
-    if (bytes.empty()) throw core::Error(file, "", "expected a recording (luftpost-weather-1), found an empty file");
-    try {
-        return Json::parse(bytes);
-    } catch (Json::parse_error const& error) {
-        bool const looksLikeJson = bytes.find_first_not_of(" \t\r\n") != bytes.npos && bytes[bytes.find_first_not_of(" \t\r\n")] == '{';
-        throw core::Error(file, lineAndColumn(bytes, error.byte),
-                          looksLikeJson ? "expected well-formed JSON to the end of the file"
-                                        : "expected a recording in the format luftpost-weather-1 (JSON); nothing else is read in this version");
-    } catch (Json::exception const&) {
-        throw core::Error(file, "", "expected JSON whose numbers are within the range of a double");
-    }
-}
 }  // namespace
 
 std::string sha256Hex(std::string_view bytes) {
@@ -324,7 +300,7 @@ std::string sha256Hex(std::string_view bytes) {
 }
 
 Recording parseRecording(std::string_view bytes, std::string const& file) {
-    Json const json = parseJson(bytes, file);
+    Json const json = parseJson(bytes, file, "a recording (luftpost-weather-1)");
     Recording recording;
     std::set<std::string> kinds;
     Node const top{json, file, "", recording.unknownKeys, kinds};

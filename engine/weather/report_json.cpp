@@ -31,6 +31,9 @@ Json filledJson(Filled const& filled) {
     return object;
 }
 
+/// JSON of a text that may be no UTF-8.
+std::string dumped(Json const& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 Json levelsJson(std::vector<ReportedLevel> const& levels) {
     Json list = Json::array();
     for (ReportedLevel const& level : levels)
@@ -75,7 +78,7 @@ Json reportJson(Site const& site, Report const& said, Filled const& filled) {
     json["lat"] = numberJson(site.lat_deg);
     json["lon"] = numberJson(site.lon_deg);
     json["elevation_m"] = numberJson(site.elevation_m);
-    json["time"] = core::formatUtc(said.time);
+    json["time"] = filled.contains("time") ? Json() : Json(core::formatUtc(said.time));  // not said: a time that cannot be read
     json["wind"] = {{"speed_mps", numberJson(said.speed_mps)}, {"gust_mps", numberJson(said.gust_mps)}, {"from_deg", numberJson(said.from_deg)}};
     json["visibility_m"] = numberJson(said.visibility_m);
     json["visibility_is_minimum"] = said.visibilityIsMinimum;
@@ -93,19 +96,20 @@ Json reportJson(Site const& site, Report const& said, Filled const& filled) {
 }
 
 std::string recordingText(Recording const& recording) {
-    std::string text = "{\"format\": \"luftpost-weather-1\", \"name\": " + Json(recording.name).dump() +
-                       ", \"source\": " + Json(recording.source).dump() + ", \"licence\": " + Json(recording.licence).dump() + ", \"sites\": [";
+    std::string text = "{\"format\": \"luftpost-weather-1\", \"name\": " + dumped(recording.name) +
+                       ", \"source\": " + dumped(recording.source) + ", \"licence\": " + dumped(recording.licence) + ", \"sites\": [";
     for (std::size_t i = 0; i < recording.sites.size(); ++i) {
         Site const& site = recording.sites[i];
         Json const head{{"name", site.name}, {"lat", numberJson(site.lat_deg)}, {"lon", numberJson(site.lon_deg)},
                         {"elevation_m", numberJson(site.elevation_m)}};
-        std::string const opened = head.dump();
+        std::string const opened = dumped(head);
         text += (i > 0 ? ",\n" : "\n") + opened.substr(0, opened.size() - 1) + ",\"reports\":[";
         for (std::size_t k = 0; k < site.reports.size(); ++k) {
             Json report = reportJson(site, site.reports[k], site.reports[k].filled);
             for (char const* key : {"name", "lat", "lon", "elevation_m"}) report.erase(key);
+            report["time"] = core::formatUtc(site.reports[k].time);
             addExtras(report, site.reports[k]);
-            text += (k > 0 ? ",\n" : "\n") + report.dump();
+            text += (k > 0 ? ",\n" : "\n") + dumped(report);
         }
         text += "\n]}";
     }

@@ -7,6 +7,11 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/weather/grib.h"
+#include "engine/weather/meteoblue.h"
+#include "engine/weather/meteoswiss.h"
+#include "engine/weather/open_meteo.h"
+#include "engine/weather/metar_files.h"
 #include "engine/weather/presets.h"
 
 namespace luftpost::weather {
@@ -18,8 +23,21 @@ struct Format {
     Recording (*parse)(std::string_view bytes, std::string const& file, SourceContext const& context);
 };
 
+constexpr std::size_t kMostBytes = 64u << 20;  // no weather is larger
+
 /// In this order; the last takes whatever no other claims, and says what is wrong with it.
 constexpr std::array kFormats{
+    Format{"GRIB 2", looksLikeGrib,
+           [](std::string_view bytes, std::string const& file, SourceContext const& context) { return parseGrib(bytes, file, context.place); }},
+    Format{"MeteoSwiss (10 minutes, observer or sounding, CSV)", looksLikeMeteoSwiss,
+           [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseMeteoSwiss(bytes, file); }},
+    Format{"meteoblue (JSON)", looksLikeMeteoblue,
+           [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseMeteoblue(bytes, file); }},
+    Format{"Open-Meteo (JSON)", looksLikeOpenMeteo,
+           [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseOpenMeteo(bytes, file); }},
+    Format{"METAR as JSON of aviationweather.gov", looksLikeMetarJson, parseMetarJson},
+    Format{"METAR in a table", looksLikeMetarTable, parseMetarTable},
+    Format{"METAR as text", looksLikeMetarText, parseMetarText},
     Format{"a recording (luftpost-weather-1)", [](std::string_view) { return true; },
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseRecording(bytes, file); }},
 };
@@ -30,6 +48,7 @@ SourceContext contextOfNow() {
 }
 
 Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context) {
+    if (bytes.size() > kMostBytes) throw core::Error(file, "", fmt::format("expected at most {} MiB, found {}", kMostBytes >> 20, bytes.size() >> 20));
     for (Format const& format : kFormats)
         if (format.looksLike(bytes)) return format.parse(bytes, file, context);
     throw core::Error(file, "", "expected weather in a known format");
@@ -47,7 +66,9 @@ Recording readWeather(std::string const& source, std::optional<PlaceWish> const&
     }
     std::string const file = source.starts_with("recorded:") ? source.substr(9) : source;
     if (file.empty()) throw core::Error(source, "", "expected recorded:FILE, a file, or preset:NAME");
-    return parseSource(core::readFile(file), file, context);
+    SourceContext wished = context;
+    if (place) wished.place = place;
+    return parseSource(core::readFile(file, kMostBytes), file, wished);
 }
 
 Field loadWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {

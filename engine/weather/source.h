@@ -12,6 +12,8 @@ namespace luftpost::weather {
 /// What a source cannot say of itself.
 struct SourceContext {
     core::UtcSeconds latest = 0.0;  // a METAR names day and hour alone: its month is the latest such day at or before this
+    std::optional<PlaceWish> place = {};  // --place: a model's grid has no place of its own
+    std::string stationTable = {};        // assets/weather/stations.txt; empty: no station's place is known
 };
 
 /// recorded, preset, live, stale: by the mode's value.

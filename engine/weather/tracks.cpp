@@ -32,15 +32,6 @@ std::optional<std::size_t> continued(FullLayer const& layer, std::size_t k, std:
     return best;
 }
 
-double meanBase(SiteTrack const& track) {
-    double sum = 0.0, weight = 0.0;
-    for (std::size_t i = 0; i < track.base.size(); ++i) {
-        sum += track.cover[i] * track.base[i];
-        weight += track.cover[i];
-    }
-    return weight > 0.0 ? sum / weight : track.base.front();
-}
-
 /// Base and top where the layer is absent: those of its next presence at the report just before it, else of its last one.
 void holdWhereAbsent(SiteTrack& track) {
     auto const first = std::find_if(track.layer.begin(), track.layer.end(), [](int layer) { return layer >= 0; }) - track.layer.begin();
@@ -75,18 +66,33 @@ double sharedCover(double cover, double share) {
 }
 }  // namespace
 
-Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times) {
+double meanBase(SiteTrack const& track) {
+    double sum = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < track.base.size(); ++i) {
+        sum += track.cover[i] * track.base[i];
+        weight += track.cover[i];
+    }
+    return weight > 0.0 ? sum / weight : track.base.front();
+}
+
+Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times, std::vector<Window> const& windows) {
     SiteTrack const& track = tracks[which];
     std::vector<double> knots, covers;
     for (std::size_t k = 0; k < times.size(); ++k) {
         knots.push_back(times[k]);
         covers.push_back(track.cover[k]);
-        if (k + 1 == times.size() || !changesPlaces(tracks, which, k)) continue;
-        bool const comes = turnOf(track, k) > 0;
-        for (double const u : {0.25, 0.5, 0.75}) {
-            knots.push_back(times[k] + u * (times[k + 1] - times[k]));
-            covers.push_back(sharedCover(track.cover[comes ? k + 1 : k], comes ? u : 1.0 - u));
-        }
+        if (k + 1 == times.size()) break;
+        Window const span = windowWithin(windows, times[k], times[k + 1]);
+        auto const add = [&](double time, double cover) {
+            if (time - knots.back() < 1.0 || times[k + 1] - time < 1.0) return;
+            knots.push_back(time);
+            covers.push_back(cover);
+        };
+        add(span.from, track.cover[k]);
+        bool const comes = turnOf(track, k) > 0, exchange = changesPlaces(tracks, which, k);
+        for (double const u : {0.25, 0.5, 0.75})
+            if (exchange) add(span.from + u * (span.to - span.from), sharedCover(track.cover[comes ? k + 1 : k], comes ? u : 1.0 - u));
+        add(span.to, track.cover[k + 1]);
     }
     return {knots, covers};
 }

@@ -6,6 +6,7 @@
 
 #include "engine/weather/curve.h"
 #include "engine/weather/fill.h"
+#include "engine/weather/fronts.h"
 
 namespace luftpost::weather {
 /// One layer's life over one site: cover at every report (0 where it is absent), base and top held where it is absent.
@@ -20,8 +21,12 @@ struct SiteTrack {
 std::vector<SiteTrack> siteTracks(std::vector<FullReport> const& reports);
 
 /// The cover of one of a site's tracks over time. Where a layer goes while another of its level comes, the two change places
-/// so that the sky between them stays as covered as both ends say, overlap by chance reckoned with.
-Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times);
+/// so that the sky between them stays as covered as both ends say, overlap by chance reckoned with. Where a front passes all
+/// changes within its window.
+Curve coverCurve(std::vector<SiteTrack> const& tracks, std::size_t which, std::vector<double> const& times, std::vector<Window> const& windows);
+
+/// Its base in the mean, weighted by cover. m above sea level.
+double meanBase(SiteTrack const& track);
 
 /// For each of `tracks`, which of the `known` ones it continues at another site: the nearest in mean base of the same genus,
 /// each at most once; none: a new one.

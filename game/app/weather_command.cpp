@@ -19,6 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using weather::Field;
 using weather::FieldReport;
+using weather::SiteReport;
 
 struct WeatherTexts {
     std::string source;
@@ -31,6 +32,14 @@ std::vector<std::vector<FieldReport>> shownReports(Field const& field, std::opti
     std::vector<std::vector<FieldReport>> shown;
     for (std::size_t i = 0; i < field.sites(); ++i) shown.push_back({field.reportAt(i, *time)});
     return shown;
+}
+
+/// The same in the order of the file.
+std::vector<SiteReport> listedReports(Field const& field, std::optional<core::UtcSeconds> time) {
+    if (!time) return field.listedReports();
+    std::vector<SiteReport> listed;
+    for (std::size_t i = 0; i < field.sites(); ++i) listed.push_back({i, field.reportAt(i, *time)});
+    return listed;
 }
 
 Json sourceJson(Field const& field, std::optional<core::UtcSeconds> time) {
@@ -46,9 +55,8 @@ Json sourceJson(Field const& field, std::optional<core::UtcSeconds> time) {
 
 void printJson(Field const& field, std::optional<core::UtcSeconds> time) {
     Json json{{"source", sourceJson(field, time)}, {"sites", Json::array()}};
-    auto const shown = shownReports(field, time);
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        for (FieldReport const& report : shown[i]) json["sites"].push_back(reportJson(field.recording().sites[i], report.said, report.filled));
+    for (SiteReport const& shown : listedReports(field, time))
+        json["sites"].push_back(reportJson(field.recording().sites[shown.site], shown.report.said, shown.report.filled));
     fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -137,6 +145,7 @@ void printText(Field const& field, std::optional<core::UtcSeconds> time) {
     fmt::print("{}\nsource   {}, {}\nlicence  {}\n", origin.name, origin.provider, preset ? "preset" : "recorded", origin.licence);
     if (!preset) fmt::print("period   {} to {}\nsha256   {}\n", core::formatUtc(field.start()), core::formatUtc(field.end()), origin.sha256);
     for (std::string const& key : field.recording().unknownKeys) fmt::print("ignored  {} (unknown key)\n", key);
+    for (std::string const& note : field.recording().notes) fmt::print("unread   {}\n", note);
     if (time && !field.covers(*time))
         fmt::print("held     {} is outside the recording: its nearest end is shown\n", core::formatUtc(*time));
     auto const shown = shownReports(field, time);
@@ -147,6 +156,7 @@ void printText(Field const& field, std::optional<core::UtcSeconds> time) {
 /// What --json has no place for goes to standard error.
 void printNotes(Field const& field, std::optional<core::UtcSeconds> time) {
     for (std::string const& key : field.recording().unknownKeys) fmt::print(stderr, "{}: ignored the unknown key {}\n", field.recording().file, key);
+    for (std::string const& note : field.recording().notes) fmt::print(stderr, "{}: {}\n", field.recording().file, note);
     if (time && !field.covers(*time))
         fmt::print(stderr, "--time {} is outside the recording: its nearest end is held\n", core::formatUtc(*time));
 }
@@ -154,7 +164,7 @@ void printNotes(Field const& field, std::optional<core::UtcSeconds> time) {
 int runWeather(WeatherTexts const& texts, CommonOptions const& common) {
     if (!common.weather.empty())
         throw core::Error{"--weather", "", fmt::format("expected not together with the source {}", texts.source)};
-    Field const field = weather::loadWeather(texts.source, placeWish(common));
+    Field const field = weather::loadWeather(texts.source, placeWish(common), sourceContext(common));
     if (texts.json) {
         printNotes(field, common.time);
         printJson(field, common.time);

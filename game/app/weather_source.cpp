@@ -4,7 +4,6 @@
 
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
-#include "engine/weather/source.h"
 
 namespace luftpost::app {
 std::optional<weather::PlaceWish> placeWish(CommonOptions const& common) {
@@ -28,7 +27,14 @@ core::UtcSeconds startTime(CommonOptions const& common, weather::Field const& fi
     return time;
 }
 
-weather::Field weatherField(CommonOptions const& common) { return weather::loadWeather(weatherSource(common), placeWish(common)); }
+weather::SourceContext sourceContext(CommonOptions const& common) {
+    return {.latest = common.time.value_or(weather::contextOfNow().latest),
+            .stationTable = platform::dataFile("assets/weather/stations.txt").string()};
+}
+
+weather::Field weatherField(CommonOptions const& common) {
+    return weather::loadWeather(weatherSource(common), placeWish(common), sourceContext(common));
+}
 
 weather::NoiseVolumes noiseVolumes() {
     return weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
