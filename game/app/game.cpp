@@ -8,7 +8,10 @@
 #include "engine/core/error.h"
 #include "engine/gl/context.h"
 #include "game/app/instruments.h"
+#include "game/app/live_weather.h"
 #include "game/app/player_files.h"
+#include "game/app/weather_source.h"
+#include "engine/weather/source.h"
 
 namespace luftpost::app {
 namespace {
@@ -41,6 +44,7 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       list_{settingList(settings_)},
       stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
+      feed_{run_.feed},
       renderer_{rendererOptions(run_)},
       models_{renderer_},
       desk_{plan_.plan.weather.source} {
@@ -52,6 +56,7 @@ Game::Game(PlayOptions options, platform::Surface& surface)
 
 void Game::frame(FrameStep const& step) {
     readDevices(step);
+    takeWeather();
     advance(step);
     takeEvents();
     moveCamera(step);
@@ -75,8 +80,12 @@ void Game::readDevices(FrameStep const& step) {
     session_->input(sample_);
 }
 
-void Game::advance(FrameStep const& step) {
+void Game::takeWeather() {
+    if (feed_) complain(followFeed(*session_, *feed_));
     complain(session_->enterOffered());
+}
+
+void Game::advance(FrameStep const& step) {
     long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
     for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
 }
@@ -159,6 +168,7 @@ void Game::writePicture(std::filesystem::path const& file) {
 void Game::restart() {
     if (session_->simulation().tick() > 0) {
         plan_.plan.simulation.settings = settings_.flight;
+        if (feed_) planAgain(plan_.plan, *feed_, session_->simulation());
         session_ = std::make_unique<Session>(plan_);
     }
     beginFlight();
@@ -179,6 +189,21 @@ void Game::saveChanges() {
     }
 }
 
+ui::HudWeather Game::hudWeather() const {
+    Simulation const& simulation = session_->simulation();
+    weather::Origin const& origin = session_->world().field().origin();
+    ui::HudWeather shown{origin.name, std::string{weather::modeWord(origin.mode)}, session_->world().field().age(simulation.utc()), {}};
+    if (isLive(origin.mode)) shown.age = std::max(simulation.utc() - origin.fetched, 0.0);
+    if (!feed_) return shown;
+    core::UtcSeconds const now = feedTime(*feed_, simulation);
+    FeedStatus const status = feed_->status(now);
+    shown.note = status.line;
+    if (!status.given || !isLive(origin.mode)) return shown;  // another weather until there is live one
+    shown.mode = status.stale ? "stale" : "live";
+    shown.age = std::max(now - *status.given, 0.0);
+    return shown;
+}
+
 ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
@@ -190,9 +215,7 @@ ui::HudState Game::hudState() {
     hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
     hud.predictedLandingWorld = predictedLanding(simulation);
     hud.clockRate = simulation.clockRate();
-    weather::Origin const& origin = session_->world().field().origin();
-    hud.weather = {origin.name, origin.mode == weather::SourceMode::Preset ? "preset" : "recorded",
-                   session_->world().field().age(simulation.utc())};
+    hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();

@@ -43,6 +43,7 @@ public:
 
 private:
     void readDevices(FrameStep const& step);
+    void takeWeather();
     void advance(FrameStep const& step);
     void takeEvents();
     void moveCamera(FrameStep const& step);
@@ -62,6 +63,9 @@ private:
     void comparePhoto();
     void drawAir();
     void complain(std::optional<std::string> const& what);
+    void followWeatherSettings();
+    ui::MenuWeather menuWeather();
+    ui::HudWeather hudWeather() const;
     void restart();
     void beginFlight();
     void count(FlightEventAt const& event);
@@ -76,6 +80,7 @@ private:
     core::SettingList list_;
     StoredSettings stored_;
     std::unique_ptr<Session> session_;
+    std::shared_ptr<WeatherFeed> feed_;  // of live weather
     render::Renderer renderer_;
     GameModels models_;
     ui::ScreenFrame screen_;

@@ -1,4 +1,6 @@
 // The game's pages and commands: config, pause, keys.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -6,7 +8,9 @@
 #include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/weather/source.h"
 #include "game/app/game.h"
+#include "game/app/live_weather.h"
 
 namespace luftpost::app {
 namespace {
@@ -69,11 +73,7 @@ void Game::takePicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) {
-        ui::MenuWeather weather = desk_.menu(*session_);
-        if (photo_) weather.photo = photo_->state();
-        answerConfig(ui::drawConfigMenu(list_, weather, std::exchange(weatherPage_, false)));
-    }
+    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
     if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
 }
@@ -102,6 +102,7 @@ void Game::change(ui::SettingChange const& wanted) {
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
     applyGraphics();
+    followWeatherSettings();
     stored_.change(wanted.key, wanted.value);
     sinceChange_ = 0.0;
 }
@@ -113,11 +114,36 @@ void Game::applyGraphics() {
     surface_.setVerticalSync(settings_.graphics.verticalSync);
 }
 
+/// The feed is the one that the settings ask for; none where they ask for none.
+void Game::followWeatherSettings() {
+    WeatherSettings const& wanted = settings_.weather;
+    if (!wanted.live) return feed_.reset();
+    if (feed_ && feed_->settings() == wanted) return;
+    bool const window = surface_.hasWindow();
+    if (!feed_ && window) session_->input(ClockInput{weather::contextOfNow().latest});  // live is now
+    feed_ = std::make_shared<WeatherFeed>(wanted, window ? FeedPace::beside : FeedPace::inLine, feedCacheFolder(wanted, window));
+}
+
 void Game::complain(std::optional<std::string> const& what) {
     if (what) messages_.say(*what, ui::MessageKind::bad, session_->simulation().seconds());
 }
 
+ui::MenuWeather Game::menuWeather() {
+    ui::MenuWeather menu = desk_.menu(*session_);
+    if (photo_) menu.photo = photo_->state();
+    if (!feed_) return menu;
+    ProviderFacts const& facts = factsOf(feed_->settings().provider);
+    FeedStatus const status = feed_->status(feedTime(*feed_, session_->simulation()));
+    menu.current = kLiveSource;
+    menu.live = {fmt::format("{} ({}).", facts.attribution, facts.limits)};
+    if (status.line != facts.attribution) menu.live.push_back(status.line);
+    return menu;
+}
+
 void Game::answerWeather(ui::WeatherAnswer const& answer) {
+    // Another weather than the feed's ends it: it would come back with the next arrival.
+    if (answer.source) change({"weather.live", *answer.source == kLiveSource});
+    if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});
     auto const hour = desk_.obey(answer, *session_);
     complain(desk_.takeComplaint());
     if (answer.photo && photo_) photo_->view() = *answer.photo;

@@ -1,6 +1,7 @@
 // The command line of `play` and `replay`, read and checked before anything is made.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "engine/assets/photo.h"
 #include "game/app/commands.h"
 #include "game/app/session.h"
+#include "game/app/weather_feed.h"
 
 namespace luftpost::app {
 /// As typed.
@@ -28,6 +30,7 @@ struct RunOptions {
     std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
     std::vector<assets::PhotoFile> photos;  // of --photo
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
+    std::shared_ptr<WeatherFeed> feed;         // of live weather
 };
 
 struct PlayOptions {

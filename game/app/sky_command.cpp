@@ -136,7 +136,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
 /// the eye.
 struct Scene {
     explicit Scene(CommonOptions const& common)
-        : field{weather::loadWeather(weatherSource(common), groundWish(common), sourceContext(common))},
+        : field{loadField(weatherSource(common), groundWish(common), common)},
           seed{common.seed.value_or(kUsualSeed)},
           place{field.place()},
           land{seed, place.altitude_m},

@@ -41,6 +41,7 @@ std::string whenText(RealHour const& hour) {
 }  // namespace
 
 WeatherDesk::WeatherDesk(std::string const& given) {
+    sources_.push_back({kLiveSource, "Live: the weather of now", "From a provider, over the network: page Live", false});
     try {
         HoursFile const file = readHours(platform::dataFile(std::string{kHoursFile}));
         for (BundledRecording const& bundled : file.recordings)
@@ -53,7 +54,7 @@ WeatherDesk::WeatherDesk(std::string const& given) {
         sources_.push_back({fmt::format("preset:{}", preset.name), std::string{preset.name}, std::string{preset.description}, true});
     bool const known = std::any_of(sources_.begin(), sources_.end(), [&](auto const& source) { return source.source == given; });
     if (known || !given.starts_with("recorded:")) return;
-    if (auto source = recordedSource(given.substr(given.find(':') + 1), "From the command line")) sources_.insert(sources_.begin(), std::move(*source));
+    if (auto source = recordedSource(given.substr(given.find(':') + 1), "From the command line")) sources_.insert(sources_.begin() + 1, std::move(*source));
 }
 
 ui::HandWeather WeatherDesk::present(Session const& session) const {
@@ -101,7 +102,7 @@ void WeatherDesk::useSource(std::string const& source, Session& session) {
 }
 
 std::optional<RealHour> WeatherDesk::obey(ui::WeatherAnswer const& answer, Session& session) {
-    if (answer.source) useSource(*answer.source, session), handWaits_ = false;
+    if (answer.source && *answer.source != kLiveSource) useSource(*answer.source, session), handWaits_ = false;
     if (answer.utc) session.input(ClockInput{*answer.utc});
     if (answer.rate) session.input(ClockRateInput{*answer.rate});
     if (answer.startFromHere) hand_ = present(session), handWaits_ = true;

@@ -19,7 +19,7 @@ public:
 
     /// What the menu shows now.
     ui::MenuWeather menu(Session const& session);
-    /// Does what the player asked for, but for the photograph. The hour to fly, if it was that. A line where it cannot be.
+    /// Does what the player asked for, but for the photograph and the live source. The hour to fly, if it was that. A line where it cannot be.
     std::optional<RealHour> obey(ui::WeatherAnswer const& answer, Session& session);
     /// Once a frame; `frozen`: no tick passes, so that a change must come at once.
     void advance(double wallSeconds, bool frozen, Session& session);

@@ -12,12 +12,11 @@ namespace luftpost::app {
 namespace {
 weather::PlaceWish wishFor(core::Place const& place) { return {place.lat_deg, place.lon_deg, place.altitude_m}; }
 
-/// The field of a recording that an input carries.
-weather::Field fieldOf(WeatherInput const& input, core::Place const& place, weather::Field const* before) {
+/// The field that takes over.
+weather::Field nextFieldOf(WeatherInput const& input, weather::Field const& before) {
     weather::Recording recording = weather::parseRecording(input.recording, input.source);
-    weather::Origin origin{input.mode, recording.name, recording.source, recording.licence, recording.sha256, input.fetched};
-    if (!before || input.seconds <= 0.0) return weather::fieldFrom(std::move(recording), std::move(origin), wishFor(place));
-    return weather::nextField(*before, std::move(recording), std::move(origin), input.from, input.seconds);
+    weather::Origin origin = originOf(input, recording);
+    return weather::nextField(before, std::move(recording), std::move(origin), input.from, input.seconds);
 }
 }  // namespace
 
@@ -32,7 +31,7 @@ World::World(WeatherInput const& weather, core::Place const& place, unsigned see
 
 void World::loadWeather(std::string const& source) {
     if (loaded_.contains(source)) return;
-    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_)), ground_, land_.seed(), noise_);
+    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_), sourceContext(weather::contextOfNow().latest)), ground_, land_.seed(), noise_);
 }
 
 void World::forgetUnused() {
@@ -56,7 +55,8 @@ void World::take(Weather weather, std::string source) {
 }
 
 World::Weather World::made(WeatherInput const& input, Weather const& before) const {
-    return std::make_shared<Loaded>(fieldOf(input, place_, before ? &before->field : nullptr), ground_, land_.seed(), noise_);
+    bool const over = before && input.seconds > 0.0;
+    return std::make_shared<Loaded>(over ? nextFieldOf(input, before->field) : fieldOf(input, wishFor(place_)), ground_, land_.seed(), noise_);
 }
 
 World::Made World::tried(WeatherInput const& input, Weather const& before) const {

@@ -39,6 +39,7 @@ struct HudWeather {
     std::string name;      // "Basel, 23 June 2023"
     std::string mode;      // recorded, live, stale, preset
     double age = 0.0;      // s since the report the field uses here
+    std::string note{};    // whose data it is, or what is waited for; empty: nothing
 };
 
 /// All that one frame of the HUD shows. Frames: world (x east, y up, z south). Angles in radians.

@@ -31,6 +31,7 @@ struct Page {
 };
 constexpr std::array<Page, 6> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
                                       {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}}};
+constexpr Page kLivePage{"Live", "weather", ""};  // among the weather's own pages
 
 std::string capitalised(std::string_view text) {
     std::string result{text};
@@ -164,12 +165,12 @@ void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer&
 
 void drawPages(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage, ConfigAnswer& answer) {
     drawPage(settings, kPages[0], answer);
-    drawWeatherPage(weather, weatherPage, answer.weather);
+    drawWeatherPage(weather, weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
     for (Page const& page : kPages)
         if (&page != &kPages[0]) drawPage(settings, page, answer);
     std::vector<std::string_view> others;
     for (Setting const& setting : settings) {
-        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); });
+        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); }) || kLivePage.shows(setting);
         std::string_view const group = groupOf(setting.key);
         if (!known && std::find(others.begin(), others.end(), group) == others.end()) others.push_back(group);
     }

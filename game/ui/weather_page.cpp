@@ -105,6 +105,7 @@ void drawReal(MenuWeather const& weather, WeatherAnswer& answer) {
     if (weather.strip) drawMoments(*weather.strip, answer);
     ImGui::Separator();
     ImGui::TextUnformatted("Source");
+    for (std::string const& line : weather.live) drawHelp(line);
     for (bool presets : {false, true}) {
         if (presets) drawHelp("Presets: made up, and the same all day");
         for (MenuWeather::Source const& source : weather.sources)
@@ -280,7 +281,7 @@ void drawPhotoPage(PhotoState const& photo, WeatherAnswer& answer) {
 }
 }  // namespace
 
-void drawWeatherPage(MenuWeather const& weather, bool open, WeatherAnswer& answer) {
+void drawWeatherPage(MenuWeather const& weather, bool open, WeatherAnswer& answer, std::function<void()> const& drawLivePage) {
     ImGui::PushFont(fonts().small.letters);
     bool const shown = ImGui::BeginTabItem("Weather", nullptr, open ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     ImGui::PopFont();
@@ -289,6 +290,7 @@ void drawWeatherPage(MenuWeather const& weather, bool open, WeatherAnswer& answe
         drawReal(weather, answer);
         drawHours(weather, answer);
         drawHand(weather, answer);
+        drawLivePage();
         drawPhotoPage(weather.photo, answer);
         ImGui::EndTabBar();
     }

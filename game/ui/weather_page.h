@@ -2,6 +2,7 @@
 // with what the player asked for. Main thread, between ScreenFrame::begin and end.
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ struct MenuWeather {
     WeatherStrip const* strip = nullptr;  // of the recording; none for a preset and for weather by hand
     bool byHand = false;         // the hand's weather is the one in force
     HandWeather hand;            // what the controls show
+    std::vector<std::string> live;  // lines about the live source: how it stands, whose it is, its limits
     double elevation = 0.0;      // m, of the place: heights of new layers count from it
     PhotoState photo;
 };
@@ -53,8 +55,8 @@ struct WeatherAnswer {
     bool comparePhoto = false;          // compare its colours with the picture's
 };
 
-/// One tab of the config menu's tab bar; `open` brings it to the front.
-void drawWeatherPage(MenuWeather const& weather, bool open, WeatherAnswer& answer);
+/// One tab of the config menu's tab bar, with pages of its own, `drawLivePage` among them; `open` brings it to the front.
+void drawWeatherPage(MenuWeather const& weather, bool open, WeatherAnswer& answer, std::function<void()> const& drawLivePage);
 
 /// The strip of hours, its labels included, in the given width; a press or drag on it sets the time.
 std::optional<double> drawWeatherStrip(WeatherStrip const& strip, double utc, float width);

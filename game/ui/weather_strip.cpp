@@ -11,13 +11,8 @@
 namespace luftpost::ui {
 namespace {
 constexpr double kZeroCelsius = 273.15;    // K
-constexpr double kLongestStep = 3600.0;    // s
-constexpr double kUsualStep = 1800.0;      // s
 constexpr double kFineStep = 600.0;        // s, within a column
 constexpr int kMostParts = 12;             // of a column
-constexpr int kMostSteps = 1000;           // of a very long recording
-constexpr double kShift_deg = 30.0, kFall = 3.0, kRise = 100.0;  // degrees, K, Pa
-constexpr double kLeastWind = 1.0;         // m/s: below, a direction says nothing
 constexpr double kApart = 5400.0;          // s: closer moments are one
 constexpr double kGustWorth = 12.0, kRainWorth = 2.0;  // m/s, mm/h
 
@@ -59,27 +54,15 @@ StripColumn columnAt(weather::Field const& field, glm::dvec2 at, double middle, 
     return column;
 }
 
-/// The usual distance of the first site's reports.
-double stepOf(weather::Field const& field) {
-    std::vector<weather::Report> const& reports = field.recording().sites.front().reports;
-    double const mean = reports.size() < 2 ? kLongestStep : (reports.back().time - reports.front().time) / static_cast<double>(reports.size() - 1);
-    return std::max(mean <= kUsualStep ? kUsualStep : kLongestStep, (field.end() - field.start()) / kMostSteps);
-}
-
-double turn_deg(glm::dvec2 a, glm::dvec2 b) {
-    if (glm::length(a) < kLeastWind || glm::length(b) < kLeastWind) return 0.0;
-    return std::abs(std::remainder(weather::windFrom_deg(a) - weather::windFrom_deg(b), 360.0));
-}
-
 /// Candidates, the weightiest first; a later one too close to one already taken is left out.
 void take(std::vector<StripMoment>& taken, StripMoment moment) {
     auto const close = [&](StripMoment const& other) { return std::abs(other.time - moment.time) < kApart; };
     if (taken.size() < kMostMoments && std::none_of(taken.begin(), taken.end(), close)) taken.push_back(std::move(moment));
 }
 
-std::vector<StripMoment> momentsOf(WeatherStrip const& strip, std::vector<core::UtcSeconds> const& fronts) {
+std::vector<StripMoment> momentsOf(WeatherStrip const& strip, std::vector<weather::Passage> const& fronts) {
     std::vector<StripMoment> taken;
-    for (core::UtcSeconds front : fronts) take(taken, {front, "front"});
+    for (weather::Passage const& front : fronts) take(taken, {front.time, "front"});
     bool before = false;
     for (StripColumn const& column : strip.columns) {
         if (column.thunder && !before) take(taken, {column.time, "thunder"});
@@ -98,30 +81,13 @@ std::vector<StripMoment> momentsOf(WeatherStrip const& strip, std::vector<core::
 }
 }  // namespace
 
-std::vector<core::UtcSeconds> frontPassages(weather::Field const& field, glm::dvec2 at) {
-    double const step = stepOf(field), stride = 0.5 * step;
-    std::vector<core::UtcSeconds> passages;
-    double steepest = 0.0;
-    for (double time = field.start() + step; time <= field.end() + 1.0; time += stride) {
-        weather::Weather const before = field.at(at.x, at.y, time - step), now = field.at(at.x, at.y, time);
-        double const fall = before.temperature - now.temperature, rise = now.pressureSea - before.pressureSea;
-        bool const front = turn_deg(before.windSurface, now.windSurface) >= kShift_deg && (fall >= kFall || rise >= kRise);
-        if (!front) continue;
-        double const strength = fall / kFall + rise / kRise;
-        double const middle = time - 0.5 * step;
-        if (passages.empty() || middle - passages.back() > kApart) passages.push_back(middle), steepest = strength;
-        else if (strength > steepest) passages.back() = middle, steepest = strength;
-    }
-    return passages;
-}
-
 WeatherStrip weatherStrip(weather::Field const& field, glm::dvec2 eastNorth, int columns) {
     WeatherStrip strip{field.start(), field.end(), {}, {}};
     if (!(strip.end > strip.start)) return strip;
     double const width = (strip.end - strip.start) / columns;
     for (int i = 0; i < columns; ++i)
         strip.columns.push_back(columnAt(field, eastNorth, strip.start + (i + 0.5) * width, width));
-    strip.moments = momentsOf(strip, frontPassages(field, eastNorth));
+    strip.moments = momentsOf(strip, field.passages());
     return strip;
 }
 }  // namespace luftpost::ui

@@ -36,8 +36,4 @@ inline constexpr std::size_t kMostMoments = 5;
 
 /// The strip over the field's own length at a place (m east and north of the origin).
 WeatherStrip weatherStrip(weather::Field const& field, glm::dvec2 eastNorth, int columns);
-
-/// Wind shift of 30 degrees or more with a fall of 3 K or a rise of 1 hPa within 30 minutes (or one report's step where that is
-/// longer). Times at which the fall is steepest.
-std::vector<core::UtcSeconds> frontPassages(weather::Field const& field, glm::dvec2 eastNorth);
 }  // namespace luftpost::ui
