@@ -64,7 +64,7 @@ struct Site {
     std::string name;
     std::optional<double> lat_deg, lon_deg, elevation_m;
     std::vector<Report> reports;     // ascending in time, at least one
-    std::vector<Report> superseded;  // of the same time as one of `reports`, which holds in its place (a correction)
+    std::vector<Report> superseded = {};  // of the same time as one of `reports`, which holds in its place (a correction)
 };
 
 /// One report as the file lists them: which of the site's `reports`, or of its `superseded`.
@@ -81,8 +81,8 @@ struct Recording {
     std::string sha256;    // of the file's bytes, lower-case hex
     std::vector<Site> sites;               // at least one
     std::vector<std::string> unknownKeys;  // ignored, as places: "sites[0].reports[3].mood"; each kind of place once
-    std::vector<std::string> notes;        // what of the file could not be read, as "line 7, column 12: ..."; the rest holds
-    std::vector<ListedReport> order;       // the reports as the file lists them; empty: site by site
+    std::vector<std::string> notes = {};   // what of the file could not be read, as "line 7, column 12: ..."; the rest holds
+    std::vector<ListedReport> order = {};  // the reports as the file lists them; empty: site by site
 };
 
 /// Reads the bytes of a file in our format. Throws core::Error that names `file`, the place in it ("sites[0].reports[3].wind
