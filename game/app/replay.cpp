@@ -72,6 +72,7 @@ Json inputJson(StampedInput const& input) {
     if (auto const* sample = std::get_if<ui::InputSample>(&input.what)) json.update(sampleJson(*sample));
     if (auto const* weather = std::get_if<WeatherInput>(&input.what)) json["weather"] = weatherJson(*weather);
     if (auto const* clock = std::get_if<ClockInput>(&input.what)) json["utc"] = clock->utc;
+    if (auto const* clock = std::get_if<ClockRateInput>(&input.what)) json["clock_rate"] = clock->rate;
     if (auto const* setting = std::get_if<SettingInput>(&input.what)) {
         json["setting"] = setting->key;
         json["value"] = std::visit([](auto const& v) { return Json(v); }, setting->value);
@@ -184,6 +185,7 @@ WeatherInput weatherFrom(Part const& part) {
 FlightInput inputFrom(Part const& part) {
     if (part.has("setting")) return settingFrom(part["setting"].text(), part["value"]);
     if (part.has("weather")) return weatherFrom(part["weather"]);
+    if (part.has("clock_rate")) return ClockRateInput{part["clock_rate"].number(0.0, kFastestClock)};
     if (part.has("utc")) return ClockInput{part["utc"].number(kFirstUtc, kLastUtc)};
     return sampleFrom(part);
 }
