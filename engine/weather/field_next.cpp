@@ -4,6 +4,7 @@
 
 #include "engine/core/math.h"
 #include "engine/weather/field_data.h"
+#include "engine/weather/whole_report.h"
 
 namespace luftpost::weather {
 namespace {
@@ -91,6 +92,10 @@ Carry carryOf(Field const& before, core::UtcSeconds time) {
     return carry;
 }
 }  // namespace
+
+Report wholeReport(Field const& field, Site const& site, core::UtcSeconds time, double interval) {
+    return wholeReport(field, site, eastNorthOf(site, field.place()), time, interval);
+}
 
 Field nextField(Field const& before, Recording recording, Origin origin, core::UtcSeconds time, double seconds) {
     FieldAccess::Data const& data = FieldAccess::data(before);

@@ -1,5 +1,6 @@
 // Sources: bytes of any known shape -> a recording. Recognised by content, never by name.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,10 @@ struct SourceContext {
     std::optional<PlaceWish> place = {};  // --place: a model's grid has no place of its own
     std::string stationTable = {};        // assets/weather/stations.txt; empty: no station's place is known
 };
+
+/// recorded, preset, live, stale: by the mode's value.
+inline constexpr std::array<std::string_view, 4> kSourceModeWords{"recorded", "preset", "live", "stale"};
+constexpr std::string_view modeWord(SourceMode mode) { return kSourceModeWords[static_cast<std::size_t>(mode)]; }
 
 /// Now, by the wall clock: what `latest` is without --time.
 SourceContext contextOfNow();

@@ -9,8 +9,8 @@
 
 namespace luftpost::app {
 struct FlightPlan {
-    std::string weather;        // the source, as World takes it (not empty)
-    std::string weatherSha256;  // of a recording; empty: a preset
+    WeatherInput weather;       // its source is not empty; with a recording the flight begins in it
+    std::string weatherSha256;  // of the recording; empty: a preset
     core::UtcSeconds weatherLatest = 0.0;  // a METAR's month is the latest such day at or before this
     core::Place place;
     SimulationOptions simulation;

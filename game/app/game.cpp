@@ -8,7 +8,10 @@
 #include "engine/core/error.h"
 #include "engine/gl/context.h"
 #include "game/app/instruments.h"
+#include "game/app/live_weather.h"
 #include "game/app/player_files.h"
+#include "game/app/weather_source.h"
+#include "engine/weather/source.h"
 
 namespace luftpost::app {
 namespace {
@@ -41,8 +44,11 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       list_{settingList(settings_)},
       stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
+      feed_{run_.feed},
       renderer_{rendererOptions(run_)},
-      models_{renderer_} {
+      models_{renderer_},
+      desk_{plan_.plan.weather.source} {
+    if (!run_.photos.empty()) photo_.emplace(run_.photos);
     if (surface_.hasWindow()) sounds_.emplace();
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
@@ -50,9 +56,12 @@ Game::Game(PlayOptions options, platform::Surface& surface)
 
 void Game::frame(FrameStep const& step) {
     readDevices(step);
+    takeWeather();
     advance(step);
     takeEvents();
     moveCamera(step);
+    desk_.advance(step.wall, paused(), *session_);
+    if (photo_) complain(photo_->follow(session_->simulation().utc()));
     drawPicture(step, drawScreen(step), false);
     if (sounds_)
         sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
@@ -69,6 +78,11 @@ void Game::readDevices(FrameStep const& step) {
     if (plan_.courier || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
+}
+
+void Game::takeWeather() {
+    if (feed_) complain(followFeed(*session_, *feed_));
+    complain(session_->enterOffered());
 }
 
 void Game::advance(FrameStep const& step) {
@@ -118,20 +132,27 @@ void Game::moveCamera(FrameStep const& step) {
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
     screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, input_);
+    if (photo_) ui::drawPhoto(photo_->state());
+    if (settings_.hud.air) drawAir();
     ui::drawHud(hudState());
     drawPages();
     return screen_.end();
 }
 
-void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
-    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const {
     FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
     render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
     snapshot.still = still;
     snapshot.debug = debug_;
     snapshot.ui = screen;
     snapshot.fontVersion = screen_.fontVersion();
-    renderer_.draw(snapshot);
+    if (photo_) snapshot.photo = photo_->image(), snapshot.photoVersion = photo_->version();
+    return snapshot;
+}
+
+void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
+    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+    renderer_.draw(pictureOf(step, screen, still));
     if (!surface_.hasWindow()) return gl::finish();
     renderer_.present(surface_.size());
     surface_.swap();
@@ -139,6 +160,7 @@ void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool sti
 
 void Game::writePicture(std::filesystem::path const& file) {
     FrameStep const now{0, 1.0, 0.0, 0.0};
+    if (photo_) photo_->finish();
     drawPicture(now, drawScreen(now), true);
     assets::writePng(file, renderer_.readPixels());
 }
@@ -146,8 +168,13 @@ void Game::writePicture(std::filesystem::path const& file) {
 void Game::restart() {
     if (session_->simulation().tick() > 0) {
         plan_.plan.simulation.settings = settings_.flight;
+        if (feed_) planAgain(plan_.plan, *feed_, session_->simulation());
         session_ = std::make_unique<Session>(plan_);
     }
+    beginFlight();
+}
+
+void Game::beginFlight() {
     sample_ = {};
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                    groundHeight());
@@ -162,6 +189,21 @@ void Game::saveChanges() {
     }
 }
 
+ui::HudWeather Game::hudWeather() const {
+    Simulation const& simulation = session_->simulation();
+    weather::Origin const& origin = session_->world().field().origin();
+    ui::HudWeather shown{origin.name, std::string{weather::modeWord(origin.mode)}, session_->world().field().age(simulation.utc()), {}};
+    if (isLive(origin.mode)) shown.age = std::max(simulation.utc() - origin.fetched, 0.0);
+    if (!feed_) return shown;
+    core::UtcSeconds const now = feedTime(*feed_, simulation);
+    FeedStatus const status = feed_->status(now);
+    shown.note = status.line;
+    if (!status.given || !isLive(origin.mode)) return shown;  // another weather until there is live one
+    shown.mode = status.stale ? "stale" : "live";
+    shown.age = std::max(now - *status.given, 0.0);
+    return shown;
+}
+
 ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
@@ -172,9 +214,8 @@ ui::HudState Game::hudState() {
     hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;
     hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
     hud.predictedLandingWorld = predictedLanding(simulation);
-    weather::Origin const& origin = session_->world().field().origin();
-    hud.weather = {origin.name, origin.mode == weather::SourceMode::Preset ? "preset" : "recorded",
-                   session_->world().field().age(simulation.utc())};
+    hud.clockRate = simulation.clockRate();
+    hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();

@@ -1,5 +1,7 @@
 #include "game/app/play.h"
 
+#include <spdlog/spdlog.h>
+
 #include <chrono>
 #include <cmath>
 
@@ -11,6 +13,7 @@
 #include "engine/weather/recording.h"
 #include "game/app/frame_clock.h"
 #include "game/app/game.h"
+#include "game/app/live_weather.h"
 #include "game/app/player_files.h"
 #include "game/app/report.h"
 #include "game/app/session.h"
@@ -36,18 +39,12 @@ terrain::CameraView viewOf(flight::AircraftState const& state) {
             .up = state.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}};
 }
 
-/// A recording's own bytes, so that its checksum stays; a preset as a recording.
-std::string weatherText(weather::Field const& field) {
-    bool const preset = field.origin().mode == weather::SourceMode::Preset;
-    return preset ? weather::recordingText(field.recording()) : core::readFile(field.recording().file);
-}
-
 /// What was asked for, written when the flight is over.
-void writeFiles(Session const& session, RunOptions const& run, FlightReport const& report) {
+void writeFiles(Session& session, RunOptions const& run, FlightReport const& report) {
     if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
     if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
     if (!run.saveWeather.empty())
-        core::writeFileAtomically(run.saveWeather, weatherText(session.world().field()));
+        core::writeFileAtomically(run.saveWeather, session.weatherText());
     if (!run.report.empty()) core::writeFileAtomically(run.report, reportText(report));
 }
 
@@ -61,6 +58,7 @@ FlightReport wholeReport(Session const& session, Settings settings, FlightReport
     report.rss_mb = residentMemory_mb();
     settings.flight = session.simulation().settings();  // a replay's inputs change them, too
     report.changed = core::changedSettings(settingList(settings));
+    std::erase_if(report.changed, [](auto const& entry) { return isSecret(entry.first); });
     return report;
 }
 
@@ -72,6 +70,8 @@ void flyBlind(PlayOptions options) {
     delivery::Career career = run.save.empty() ? delivery::Career{} : namedCareer(run.save);
     for (long long frame = 1; session.simulation().tick() < *run.ticks; ++frame) {
         FrameStep const step = simulatedStep(frame, run.frameRate);
+        if (run.feed)
+            if (auto const refused = followFeed(session, *run.feed)) spdlog::warn("{}", *refused);
         for (long long i = 0; i < step.ticks && session.simulation().tick() < *run.ticks; ++i) session.tick();
         streamer.update(viewOf(session.simulation().aircraft().state()));
         for (FlightEventAt const& event : session.takeEvents())

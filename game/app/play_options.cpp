@@ -9,7 +9,10 @@
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/weather/source.h"
 #include "game/app/instruments.h"
+#include "game/app/live_weather.h"
+#include "game/app/photo_box.h"
 #include "game/app/player_files.h"
 #include "game/app/weather_source.h"
 #include "game/ui/input_csv.h"
@@ -58,8 +61,9 @@ RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
     run.saveReplay = texts.saveReplay;
     run.saveWeather = texts.saveWeather;
     run.save = texts.save;
-    if (run.noRender && !run.screenshot.empty())
-        throw core::Error{"--screenshot", "", "expected not with --no-render, which draws nothing"};
+    for (auto const& [option, file] : {std::pair{"--screenshot", &texts.screenshot}, std::pair{"--photo", &texts.photo}})
+        if (run.noRender && !file->empty())
+            throw core::Error{option, "", "expected not with --no-render, which draws nothing"};
     if (!texts.seconds.empty()) {
         double const seconds = numberOption("--seconds", texts.seconds, 0.0, kLongestFlight);
         run.ticks = ui::tickAtOrAfter(seconds);
@@ -89,21 +93,54 @@ FlightStart startOption(std::string const& text, double airfieldAltitude) {
     return {false, numbers[0], numbers[1], core::radians(numbers[2])};
 }
 
-/// The weather's source, place and hour. The field is loaded once here to know them and to complain early.
-void planWeather(FlightPlan& plan, CommonOptions const& common) {
-    plan.weatherLatest = sourceContext(common).latest;
-    weather::Field const field = weather::loadWeather(weatherSource(common), placeWish(common), sourceContextAt(plan.weatherLatest));
-    plan.weather = weatherSource(common);
-    if (field.origin().mode != weather::SourceMode::Preset)  // so that the replay finds it from any folder
-        plan.weather = "recorded:" + std::filesystem::absolute(field.recording().file).string();
+/// What the feed has at once, without a window after a request: the weather that the flight begins in.
+std::optional<WeatherInput> firstNews(WeatherFeed& feed, CommonOptions const& common) {
+    core::UtcSeconds const now = feedTime(common);
+    auto const news = feed.poll(now, feedPlace(common));
+    if (!news) return std::nullopt;
+    FeedStatus const status = feed.status(now);
+    return liveInput(*news, status.given.value_or(now), status.stale);
+}
+
+/// Live weather is waited for in the bundled one, at the hour of now.
+weather::Field waitingField(CommonOptions& common) {
+    common.time = feedTime(common);
+    return loadField(bundledSource(), placeWish(common), common);
+}
+
+/// The field that the flight begins in; with live weather also the feed. It is made here to complain early.
+weather::Field firstField(FlightPlan& plan, CommonOptions& common, RunOptions& run) {
+    if (!wantsLive(common)) return weatherField(common);
+    run.feed = std::make_shared<WeatherFeed>(common.settings.weather, run.headless ? FeedPace::inLine : FeedPace::beside,
+                                             feedCacheFolder(common.settings.weather, !run.headless));
+    auto const news = firstNews(*run.feed, common);
+    if (!news) return waitingField(common);
+    try {
+        weather::Field field = fieldOf(*news, placeWish(common));
+        plan.weather = *news;
+        return field;
+    } catch (core::Error const& error) {
+        fmt::print("{}\n", error.what());
+        return waitingField(common);
+    }
+}
+
+/// The weather's source, place and hour.
+void planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
+    plan.weatherLatest = feedTime(common);
+    weather::Field const field = firstField(plan, common, run);
+    bool const preset = field.origin().mode == weather::SourceMode::Preset;
+    if (plan.weather.recording.empty())  // so that the replay finds it from any folder
+        plan.weather.source =
+            preset ? weatherSource(common) : "recorded:" + std::filesystem::absolute(field.recording().file).string();
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
     plan.simulation.time = startTime(common, field);
 }
 
-FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common) {
+FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common, RunOptions& run) {
     FlightPlan plan;
-    planWeather(plan, common);
+    planWeather(plan, common, run);
     SimulationOptions& simulation = plan.simulation;
     simulation.seed = common.seed.value_or(1);
     simulation.start = startOption(texts.start, plan.place.altitude_m);
@@ -145,11 +182,14 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
         core::SettingList list = settingList(common.settings);
         core::assignSetting(*core::findSetting(list, "aircraft.assist"), "--assist", texts.assist);
     }
+    common.settings.weather.live = wantsLive(common);
     options.run.settings = common.settings;
-    options.session.plan = flightPlan(texts, common);
+    options.session.plan = flightPlan(texts, common, options.run);
     options.session.courier = !texts.bot.empty();
     options.session.log = !texts.log.empty();
+    options.session.weather = !texts.saveWeather.empty();
     if (!texts.input.empty()) options.session.script = scriptFrom(texts.input);
+    if (!texts.photo.empty()) options.run.photos = photosOption(texts.photo, options.session.plan.simulation.time);
     return options;
 }
 

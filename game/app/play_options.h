@@ -1,18 +1,22 @@
 // The command line of `play` and `replay`, read and checked before anything is made.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "engine/assets/photo.h"
 #include "game/app/commands.h"
 #include "game/app/session.h"
+#include "game/app/weather_feed.h"
 
 namespace luftpost::app {
 /// As typed.
 struct PlayTexts {
     bool headless = false, noRender = false;
     std::string bot, start, assist, payload, fuel, seconds, frameRate, workers;
-    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save;
+    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save, photo;
 };
 
 /// How a flight is run and what is written about it.
@@ -24,7 +28,9 @@ struct RunOptions {
     glm::ivec2 size{1280, 720};
     Settings settings;
     std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
+    std::vector<assets::PhotoFile> photos;  // of --photo
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
+    std::shared_ptr<WeatherFeed> feed;         // of live weather
 };
 
 struct PlayOptions {

@@ -1,7 +1,11 @@
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/weather/source.h"
 #include "game/app/flight_plan.h"
 
 namespace luftpost::app {
@@ -11,6 +15,7 @@ constexpr char const* kFormat = "luftpost-replay-1";
 constexpr long long kMostTicks = 240'000'000;                            // of a million seconds
 constexpr double kFirstUtc = -62167219200.0, kLastUtc = 253402300799.0;  // the years 0 to 9999
 constexpr double kHighestStart = 25000.0, kFastestStart = 150.0;         // m, m/s
+constexpr double kLongestChange = 86400.0;                               // s, from one weather to the next
 constexpr double kMostTurns = 13.0;                                      // rad either way, as --start has it
 
 Json settingsJson(FlightSettings settings) {
@@ -22,9 +27,16 @@ Json settingsJson(FlightSettings settings) {
     return json;
 }
 
+/// A loaded source by its name; weather that came on the way with all its reports, as the text that its checksum is of.
+Json weatherJson(WeatherInput const& weather) {
+    if (weather.recording.empty()) return weather.source;
+    return {{"source", weather.source},   {"mode", weather::modeWord(weather.mode)}, {"fetched_utc", weather.fetched},
+            {"from_utc", weather.from},   {"seconds", weather.seconds},              {"recording", weather.recording}};
+}
+
 Json planJson(FlightPlan const& plan) {
     SimulationOptions const& s = plan.simulation;
-    return {{"weather", plan.weather},
+    return {{"weather", weatherJson(plan.weather)},
             {"weather_sha256", plan.weatherSha256},
             {"weather_latest_utc", plan.weatherLatest},
             {"place", {plan.place.lat_deg, plan.place.lon_deg, plan.place.altitude_m}},
@@ -58,8 +70,9 @@ Json sampleJson(ui::InputSample const& sample) {
 Json inputJson(StampedInput const& input) {
     Json json{{"tick", input.tick}};
     if (auto const* sample = std::get_if<ui::InputSample>(&input.what)) json.update(sampleJson(*sample));
-    if (auto const* weather = std::get_if<WeatherInput>(&input.what)) json["weather"] = weather->source;
+    if (auto const* weather = std::get_if<WeatherInput>(&input.what)) json["weather"] = weatherJson(*weather);
     if (auto const* clock = std::get_if<ClockInput>(&input.what)) json["utc"] = clock->utc;
+    if (auto const* clock = std::get_if<ClockRateInput>(&input.what)) json["clock_rate"] = clock->rate;
     if (auto const* setting = std::get_if<SettingInput>(&input.what)) {
         json["setting"] = setting->key;
         json["value"] = std::visit([](auto const& v) { return Json(v); }, setting->value);
@@ -150,16 +163,36 @@ ui::InputSample sampleFrom(Part const& part) {
     return sample;
 }
 
+weather::SourceMode modeFrom(Part const& part) {
+    auto const word = std::find(weather::kSourceModeWords.begin(), weather::kSourceModeWords.end(), part.text());
+    if (word == weather::kSourceModeWords.end()) part.refuse(fmt::format("one of {}", fmt::join(weather::kSourceModeWords, ", ")));
+    return static_cast<weather::SourceMode>(word - weather::kSourceModeWords.begin());
+}
+
+WeatherInput weatherFrom(Part const& part) {
+    if (!part.json.is_object()) return {.source = part.text()};
+    WeatherInput weather{.source = part["source"].text(),
+                         .recording = part["recording"].text(),
+                         .mode = modeFrom(part["mode"]),
+                         .fetched = part["fetched_utc"].number(kFirstUtc, kLastUtc),
+                         .from = part["from_utc"].number(kFirstUtc, kLastUtc),
+                         .seconds = part["seconds"].number(0.0, kLongestChange)};
+    Part const text = part["recording"];
+    weather::parseRecording(weather.recording, fmt::format("{}: {}", text.file, text.place));  // says what is wrong in it
+    return weather;
+}
+
 FlightInput inputFrom(Part const& part) {
     if (part.has("setting")) return settingFrom(part["setting"].text(), part["value"]);
-    if (part.has("weather")) return WeatherInput{part["weather"].text()};
+    if (part.has("weather")) return weatherFrom(part["weather"]);
+    if (part.has("clock_rate")) return ClockRateInput{part["clock_rate"].number(0.0, kFastestClock)};
     if (part.has("utc")) return ClockInput{part["utc"].number(kFirstUtc, kLastUtc)};
     return sampleFrom(part);
 }
 
 FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     FlightPlan plan;
-    plan.weather = part["weather"].text();
+    plan.weather = weatherFrom(part["weather"]);
     plan.weatherSha256 = part["weather_sha256"].text();
     plan.weatherLatest = part["weather_latest_utc"].number(kFirstUtc, kLastUtc);
     Part const place = part["place"].list(3);

@@ -1,6 +1,10 @@
 #include "game/app/session.h"
 
+#include <algorithm>
+
+#include "engine/core/check.h"
 #include "engine/core/error.h"
+#include "engine/core/file.h"
 #include "engine/platform/paths.h"
 #include "game/app/instruments.h"
 
@@ -9,7 +13,8 @@ namespace {
 /// Every weather that the script will use, loaded before the first tick.
 void loadScriptedWeather(World& world, std::vector<StampedInput> const& script) {
     for (StampedInput const& input : script)
-        if (auto const* change = std::get_if<WeatherInput>(&input.what)) world.loadWeather(change->source);
+        if (auto const* change = std::get_if<WeatherInput>(&input.what); change && change->recording.empty())
+            world.loadWeather(change->source);
 }
 }  // namespace
 
@@ -20,17 +25,41 @@ Session::Session(SessionOptions options)
       log_{world_.place()} {
     std::string const& found = world_.field().origin().sha256;
     if (found != options_.plan.weatherSha256)
-        throw core::Error{options_.plan.weather, "",
+        throw core::Error{options_.plan.weather.source, "",
                           "expected the recording of the replay, sha256 " + options_.plan.weatherSha256 +
                               ", found " + found};
     loadScriptedWeather(world_, options_.script);
     if (options_.courier) courier_.emplace(world_.ground());
     keepRow();
+    if (options_.weather) flown_.begin(world_.field(), simulation_.utc());
+}
+
+std::string Session::weatherText() {
+    bool const changed = std::any_of(inputs_.begin(), inputs_.end(), [](StampedInput const& input) { return std::holds_alternative<WeatherInput>(input.what); });
+    if (changed) {
+        CHECK(options_.weather, "the weather was not kept");
+        flown_.end(world_.field(), simulation_.utc());
+        return weather::recordingText(flown_.recording());
+    }
+    if (!options_.plan.weather.recording.empty()) return options_.plan.weather.recording;
+    bool const preset = world_.field().origin().mode == weather::SourceMode::Preset;
+    return preset ? weather::recordingText(world_.field().recording()) : core::readFile(world_.field().recording().file);
 }
 
 void Session::input(FlightInput const& what) {
-    inputs_.push_back({simulation_.tick(), what});
+    bool const cut = options_.weather && (std::holds_alternative<WeatherInput>(what) || std::holds_alternative<ClockInput>(what));
+    if (cut) flown_.end(world_.field(), simulation_.utc());
     simulation_.apply(what);
+    if (cut) flown_.begin(world_.field(), simulation_.utc());
+    inputs_.push_back({simulation_.tick(), what});
+}
+
+std::optional<std::string> Session::enterOffered() {
+    auto const offered = world_.takeOffered(simulation_.utc());
+    if (!offered) return std::nullopt;
+    if (!offered->error.empty()) return offered->error;
+    input(offered->input);
+    return std::nullopt;
 }
 
 void Session::tick() {

@@ -7,6 +7,7 @@
 
 #include "game/app/flight_log.h"
 #include "game/app/flight_plan.h"
+#include "game/app/flown_weather.h"
 #include "game/app/report.h"
 #include "game/app/simulation.h"
 #include "game/app/world.h"
@@ -18,6 +19,7 @@ struct SessionOptions {
     std::vector<StampedInput> script;  // by tick: the input file or a replay
     bool courier = false;              // the bot flies
     bool log = false;                  // keep the log's rows
+    bool weather = false;              // keep the weather that is flown
 };
 
 class Session {
@@ -26,8 +28,14 @@ public:
     /// underground.
     explicit Session(SessionOptions options);
 
-    /// What the player or the bot does now: acts from the next tick and is kept for the replay.
+    /// What the player or the bot does now: acts from the next tick and is kept for the replay. Throws as Simulation::apply does;
+    /// then nothing has changed.
     void input(FlightInput const& what);
+    /// Weather with a recording, from a feed or a hand: its field is made beside the frame, then it acts (`enterOffered`). Of
+    /// several in a row only the last counts.
+    void offerWeather(WeatherInput weather) { world_.offer(std::move(weather)); }
+    /// Once a frame, before its ticks: what is ready acts from the next tick as a stamped input. A line where it cannot be used.
+    std::optional<std::string> enterOffered();
     /// One tick: what is due of the script, the bot at 20 Hz, the simulation, log and hash.
     void tick();
 
@@ -36,6 +44,8 @@ public:
     World& world() { return world_; }
     World const& world() const { return world_; }
 
+    /// The weather that was flown so far as the text of a recording: its own where the flight had but one, else what was kept of all.
+    std::string weatherText();
     std::string const& logText() const { return log_.text(); }
     Replay replay() const { return {options_.plan, simulation_.tick(), inputs_}; }
     /// What the flight itself knows of its report.
@@ -54,5 +64,6 @@ private:
     ui::InputSample sample_;
     std::vector<StampedInput> inputs_;
     std::vector<std::string> hashes_;
+    FlownWeather flown_;
 };
 }  // namespace luftpost::app

@@ -24,6 +24,7 @@ core::SettingList settingList(Settings& settings) {
     core::appendSettings(list, settings.view, viewFields);
     core::appendSettings(list, settings.hud, ui::hudFields);
     core::appendSettings(list, settings.audio, audio::audioFields);
+    core::appendSettings(list, settings.weather, weatherFields);
     return list;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/render/graphics_settings.h"
 #include "game/app/flight_settings.h"
 #include "game/app/view_settings.h"
+#include "game/app/weather_settings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
@@ -16,6 +17,7 @@ struct Settings {
     ViewSettings view;
     ui::HudSettings hud;
     audio::AudioSettings audio;
+    WeatherSettings weather;
 };
 
 /// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where

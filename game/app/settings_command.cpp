@@ -11,7 +11,7 @@ namespace luftpost::app {
 namespace {
 void printValues(Settings settings) {
     for (core::Setting const& setting : settingList(settings))
-        fmt::print("{:<26} {:<8} {:<34} {}\n", setting.key, core::settingText(setting.get()),
+        fmt::print("{:<26} {:<8} {:<34} {}\n", setting.key, isSecret(setting.key) && setting.get() != setting.initial ? "(hidden)" : core::settingText(setting.get()),
                    core::expectedValue(setting), setting.help);
 }
 }  // namespace

@@ -44,11 +44,12 @@ std::vector<SiteReport> listedReports(Field const& field, std::optional<core::Ut
 
 Json sourceJson(Field const& field, std::optional<core::UtcSeconds> time) {
     weather::Origin const& origin = field.origin();
-    bool const preset = origin.mode == weather::SourceMode::Preset;
-    core::UtcSeconds const asked = time.value_or(field.end());
-    Json json{{"provider", origin.provider}, {"mode", preset ? "preset" : "recorded"}};
-    json["time"] = preset ? Json() : Json(core::formatUtc(std::max(field.start(), asked - field.age(asked))));
-    json["age_s"] = preset ? Json() : Json(field.age(asked));
+    bool const preset = origin.mode == weather::SourceMode::Preset, live = isLive(origin.mode);
+    core::UtcSeconds const asked = time.value_or(live ? weather::contextOfNow().latest : field.end());
+    double const age = live ? std::max(asked - origin.fetched, 0.0) : field.age(asked);
+    Json json{{"provider", origin.provider}, {"mode", weather::modeWord(origin.mode)}};
+    json["time"] = preset ? Json() : Json(core::formatUtc(live ? origin.fetched : std::max(field.start(), asked - age)));
+    json["age_s"] = preset ? Json() : Json(age);
     json["sha256"] = origin.sha256.empty() ? Json() : Json(origin.sha256);
     return json;
 }
@@ -142,7 +143,7 @@ void printFilled(std::vector<std::vector<FieldReport>> const& shown) {
 void printText(Field const& field, std::optional<core::UtcSeconds> time) {
     weather::Origin const& origin = field.origin();
     bool const preset = origin.mode == weather::SourceMode::Preset;
-    fmt::print("{}\nsource   {}, {}\nlicence  {}\n", origin.name, origin.provider, preset ? "preset" : "recorded", origin.licence);
+    fmt::print("{}\nsource   {}, {}\nlicence  {}\n", origin.name, origin.provider, weather::modeWord(origin.mode), origin.licence);
     if (!preset) fmt::print("period   {} to {}\nsha256   {}\n", core::formatUtc(field.start()), core::formatUtc(field.end()), origin.sha256);
     for (std::string const& key : field.recording().unknownKeys) fmt::print("ignored  {} (unknown key)\n", key);
     for (std::string const& note : field.recording().notes) fmt::print("unread   {}\n", note);
@@ -164,7 +165,7 @@ void printNotes(Field const& field, std::optional<core::UtcSeconds> time) {
 int runWeather(WeatherTexts const& texts, CommonOptions const& common) {
     if (!common.weather.empty())
         throw core::Error{"--weather", "", fmt::format("expected not together with the source {}", texts.source)};
-    Field const field = weather::loadWeather(texts.source, placeWish(common), sourceContext(common));
+    Field const field = loadField(texts.source, placeWish(common), common);
     if (texts.json) {
         printNotes(field, common.time);
         printJson(field, common.time);

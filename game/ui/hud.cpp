@@ -207,18 +207,24 @@ std::string ageText(HudWeather const& weather) {
     return fmt::format("{}, {:.1f} h old", weather.mode, weather.age / 3600.0);
 }
 
+/// No longer than so many letters.
+std::string shortened(std::string const& text, std::size_t most) { return text.size() <= most ? text : text.substr(0, most - 3) + "..."; }
+
 void drawWeather(Pen const& pen, HudState const& state) {
     std::string const time = core::formatUtc(state.utc);  // 2023-06-23T18:40:00Z
-    std::string const stamp = fmt::format("{}  {} UTC", time.substr(0, 10), time.substr(11, 5));
-    std::string const source = state.weather.name, age = ageText(state.weather);
-    float const inner = std::max({textSize(pen.f.small, source).x, textSize(pen.f.small, age).x, textSize(pen.f.normal, stamp).x});
+    std::string const rate = state.clockRate == 1.0 ? "" : state.clockRate == 0.0 ? "  stopped" : fmt::format("  {:.0f} \u00d7", state.clockRate);
+    std::string const stamp = fmt::format("{}  {} UTC{}", time.substr(0, 10), time.substr(11, 5), rate);
+    std::string const source = state.weather.name, age = ageText(state.weather), note = shortened(state.weather.note, 64);
+    float const inner =
+        std::max({textSize(pen.f.small, source).x, textSize(pen.f.small, age).x, textSize(pen.f.small, note).x, textSize(pen.f.normal, stamp).x});
     glm::vec2 const from{pen.size.x - inner - 42.0f * pen.s, 10.0f * pen.s};
-    pen.plate(from, {pen.size.x - 14.0f * pen.s, from.y + 64.0f * pen.s});
+    pen.plate(from, {pen.size.x - 14.0f * pen.s, from.y + (note.empty() ? 64.0f : 82.0f) * pen.s});
     float const right = pen.size.x - 28.0f * pen.s;
     drawText(pen.list, pen.f.normal, {right, from.y + 5.0f * pen.s}, kPaper, stamp, 1.0f);
     drawText(pen.list, pen.f.small, {right, from.y + 25.0f * pen.s}, kFaint, source, 1.0f);
     bool const stale = state.weather.mode == "stale";
     drawText(pen.list, pen.f.small, {right, from.y + 43.0f * pen.s}, stale ? kRed : kFaint, age, 1.0f);
+    if (!note.empty()) drawText(pen.list, pen.f.small, {right, from.y + 61.0f * pen.s}, kFaint, note, 1.0f);
 }
 
 // --- messages, prompts, warnings ----------------------------------------------------------------------------------

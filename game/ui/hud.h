@@ -39,6 +39,7 @@ struct HudWeather {
     std::string name;      // "Basel, 23 June 2023"
     std::string mode;      // recorded, live, stale, preset
     double age = 0.0;      // s since the report the field uses here
+    std::string note{};    // whose data it is, or what is waited for; empty: nothing
 };
 
 /// All that one frame of the HUD shows. Frames: world (x east, y up, z south). Angles in radians.
@@ -73,6 +74,7 @@ struct HudState {
     int score = 0;
     int deliveries = 0;
     HudWeather weather;
+    double clockRate = 1.0;          // how many times as fast the weather's clock runs
     std::vector<HudMessage> messages;
     std::vector<HudPrompt> prompts;  // empty once the first minute is over
 
