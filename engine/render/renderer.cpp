@@ -256,6 +256,7 @@ void Renderer::Parts::drawView(FrameContext const& context, int view) {
 }
 
 void Renderer::Parts::drawUi(Snapshot const& snapshot) {
+    if (snapshot.photo) ui.usePhoto(*snapshot.photo, snapshot.photoVersion);
     if (snapshot.ui) ui.draw(*snapshot.ui, snapshot.fontVersion, display->target);
 }
 

@@ -1,5 +1,6 @@
 // All that one frame shows: plain data, made by the game (or a tool) once a frame. The game knows nothing of passes.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,20 @@
 
 struct ImDrawData;
 
+namespace luftpost::assets {
+template <class T>
+struct ImageOf;
+}
+
 namespace luftpost::weather {
 class Field;
 }
 
 namespace luftpost::render {
+/// What the lists name as their texture where the snapshot's photograph shall stand; everything else is letters.
+inline char photoMark = 0;
+inline void* const kPhotoTexture = &photoMark;
+
 enum class Projection { perspective, panorama, dome };
 
 /// Looks along -z of its own frame, y up. World: x east, y up, z south, metres.
@@ -85,7 +95,7 @@ struct Snapshot {
     sky::SkyState sky;
     weather::Field const* field = nullptr;     // lives as long as the frame; null: no clouds
     weather::Weather weather;                  // at the camera
-    glm::dvec3 windWorld{0.0};                 // at the camera, m/s
+    core::AirSample air;                       // at the camera: what blows and falls there
 
     std::vector<ModelInstance> models;
     std::vector<Puff> puffs;
@@ -94,5 +104,7 @@ struct Snapshot {
 
     ImDrawData const* ui = nullptr;            // lists of the HUD and menus, null: none
     int fontVersion = 0;                       // ui::ScreenFrame::fontVersion()
+    assets::ImageOf<std::uint8_t> const* photo = nullptr;  // 4 channels, what kPhotoTexture stands for; null: none
+    int photoVersion = 0;                      // another when the photograph is another
 };
 }  // namespace luftpost::render

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/gl/draw.h"
+#include "engine/render/snapshot.h"
 
 namespace luftpost::render {
 namespace {
@@ -34,6 +35,13 @@ void UiPass::uploadFont() {
     font_.upload<std::uint8_t>(std::span{coverage, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)});
 }
 
+void UiPass::usePhoto(assets::Image const& photo, int version) {
+    if (version == photoVersion_) return;
+    photoVersion_ = version;
+    photo_ = gl::Texture2D{gl::Format::rgba8, {photo.width, photo.height}, 1, "photograph"};
+    photo_.upload<std::uint8_t>(photo.values);
+}
+
 void UiPass::reserve(std::size_t vertexBytes, std::size_t indexBytes) {
     if (vertexBytes <= vertices_.bytes() && indexBytes <= indices_.bytes()) return;
     vertices_ = gl::Buffer{std::bit_ceil(std::max(vertexBytes, vertices_.bytes())), "menus"};
@@ -49,6 +57,7 @@ void UiPass::draw(ImDrawData const& lists, int fontVersion, gl::Framebuffer cons
     program_.use();
     program_.set("box", glm::vec4{lists.DisplayPos.x, lists.DisplayPos.y, lists.DisplaySize.x, lists.DisplaySize.y});
     font_.bind(0);
+    if (photoVersion_ >= 0) photo_.bind(1);
     for (int i = 0; i < lists.CmdListsCount; ++i) drawList(lists, *lists.CmdLists[i], display.size());
     gl::apply({});
 }
@@ -79,6 +88,7 @@ void UiPass::drawCommand(ImDrawData const& lists, ImDrawCmd const& command, glm:
     state.scissor = true;
     state.scissorBox = {low.x, size.y - high.y, high.x - low.x, high.y - low.y};
     gl::apply(state);
+    program_.set("photograph", command.TextureId == kPhotoTexture ? 1 : 0);
     gl::drawElements(array_, gl::Primitive::triangles, static_cast<int>(command.ElemCount), command.IdxOffset, 1,
                      static_cast<int>(command.VtxOffset));
 }

@@ -1,5 +1,6 @@
 // Draws Dear ImGui's lists by our own owners of GL objects.
 #pragma once
+#include "engine/assets/image.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/program_library.h"
@@ -20,6 +21,9 @@ public:
     /// font atlas.
     void draw(ImDrawData const& lists, int fontVersion, gl::Framebuffer const& display);
 
+    /// What kPhotoTexture in the lists stands for; nothing is done when the version is the last one's.
+    void usePhoto(assets::Image const& photo, int version);
+
 private:
     void uploadFont();
     void reserve(std::size_t vertexBytes, std::size_t indexBytes);
@@ -27,9 +31,9 @@ private:
     void drawCommand(ImDrawData const& lists, ImDrawCmd const& command, glm::ivec2 const& size);
 
     gl::Program const& program_;
-    gl::Texture2D font_;
+    gl::Texture2D font_, photo_;
     gl::Buffer vertices_, indices_;
     gl::VertexArray array_;
-    int fontVersion_ = -1;
+    int fontVersion_ = -1, photoVersion_ = -1;
 };
 }  // namespace luftpost::render

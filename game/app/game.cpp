@@ -46,7 +46,9 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       session_{std::make_unique<Session>(plan_)},
       feed_{run_.feed},
       renderer_{rendererOptions(run_)},
-      models_{renderer_} {
+      models_{renderer_},
+      desk_{plan_.plan.weather.source} {
+    if (!run_.photos.empty()) photo_.emplace(run_.photos);
     if (surface_.hasWindow()) sounds_.emplace();
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
@@ -58,6 +60,8 @@ void Game::frame(FrameStep const& step) {
     advance(step);
     takeEvents();
     moveCamera(step);
+    desk_.advance(step.wall, paused(), *session_);
+    if (photo_) complain(photo_->follow(session_->simulation().utc()));
     drawPicture(step, drawScreen(step), false);
     if (sounds_)
         sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
@@ -77,11 +81,8 @@ void Game::readDevices(FrameStep const& step) {
 }
 
 void Game::takeWeather() {
-    auto const say = [this](std::optional<std::string> const& line) {
-        if (line) messages_.say(*line, ui::MessageKind::bad, session_->simulation().seconds());
-    };
-    if (feed_) say(followFeed(*session_, *feed_));
-    say(session_->enterOffered());
+    if (feed_) complain(followFeed(*session_, *feed_));
+    complain(session_->enterOffered());
 }
 
 void Game::advance(FrameStep const& step) {
@@ -131,20 +132,27 @@ void Game::moveCamera(FrameStep const& step) {
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
     screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, input_);
+    if (photo_) ui::drawPhoto(photo_->state());
+    if (settings_.hud.air) drawAir();
     ui::drawHud(hudState());
     drawPages();
     return screen_.end();
 }
 
-void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
-    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const {
     FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
     render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
     snapshot.still = still;
     snapshot.debug = debug_;
     snapshot.ui = screen;
     snapshot.fontVersion = screen_.fontVersion();
-    renderer_.draw(snapshot);
+    if (photo_) snapshot.photo = photo_->image(), snapshot.photoVersion = photo_->version();
+    return snapshot;
+}
+
+void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
+    if (surface_.hasWindow()) renderer_.resize(surface_.size());
+    renderer_.draw(pictureOf(step, screen, still));
     if (!surface_.hasWindow()) return gl::finish();
     renderer_.present(surface_.size());
     surface_.swap();
@@ -152,6 +160,7 @@ void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool sti
 
 void Game::writePicture(std::filesystem::path const& file) {
     FrameStep const now{0, 1.0, 0.0, 0.0};
+    if (photo_) photo_->finish();
     drawPicture(now, drawScreen(now), true);
     assets::writePng(file, renderer_.readPixels());
 }
@@ -162,6 +171,10 @@ void Game::restart() {
         if (feed_) planAgain(plan_.plan, *feed_, session_->simulation());
         session_ = std::make_unique<Session>(plan_);
     }
+    beginFlight();
+}
+
+void Game::beginFlight() {
     sample_ = {};
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                    groundHeight());
@@ -201,6 +214,7 @@ ui::HudState Game::hudState() {
     hud.deliveries = run_.save.empty() ? simulation.delivery().deliveries() : career_.deliveries;
     hud.fuelCapacity_kg = simulation.aircraft().airframe().fuelMax;
     hud.predictedLandingWorld = predictedLanding(simulation);
+    hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();

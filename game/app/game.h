@@ -10,12 +10,15 @@
 #include "engine/render/renderer.h"
 #include "game/app/frame_clock.h"
 #include "game/app/messages.h"
+#include "game/app/photo_box.h"
 #include "game/app/play_options.h"
 #include "game/app/player_files.h"
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
+#include "game/app/weather_desk.h"
 #include "game/delivery/career.h"
+#include "game/ui/air_overlay.h"
 #include "game/ui/devices.h"
 #include "game/ui/screen_frame.h"
 
@@ -46,6 +49,7 @@ private:
     void moveCamera(FrameStep const& step);
     ImDrawData const* drawScreen(FrameStep const& step);
     void drawPages();
+    render::Snapshot pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const;
     void drawPicture(FrameStep const& step, ImDrawData const* screen, bool still);
     void obey(ui::DeviceReading const& reading);
     void escape();
@@ -53,15 +57,21 @@ private:
     void answerConfig(ui::ConfigAnswer const& answer);
     void answerPause(ui::PauseChoice choice);
     void change(ui::SettingChange const& change);
-    void useWeather(std::string const& source);
+    void answerWeather(ui::WeatherAnswer const& answer);
+    void flyHour(RealHour const& hour);
+    void nextPhotoMode();
+    void comparePhoto();
+    void drawAir();
+    void complain(std::optional<std::string> const& what);
     void followWeatherSettings();
+    ui::MenuWeather menuWeather();
     ui::HudWeather hudWeather() const;
     void restart();
+    void beginFlight();
     void count(FlightEventAt const& event);
     void applyGraphics();
     ui::HudState hudState();
     ui::GroundHeight groundHeight() const;
-    ui::MenuWeather menuWeather() const;
 
     SessionOptions plan_;
     RunOptions run_;
@@ -81,9 +91,13 @@ private:
     ui::Cameras cameras_;
     std::optional<SoundStage> sounds_;  // with a window
     Messages messages_;
+    WeatherDesk desk_;
+    std::optional<PhotoBox> photo_;  // of --photo
+    ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;
     bool configOpen_ = false, keysOpen_ = false, pauseOpen_ = false;
+    bool weatherPage_ = false;  // the config menu opens there
     bool paused_ = false;
     bool quit_ = false;
     double sinceChange_ = 0.0;  // s of the player's time

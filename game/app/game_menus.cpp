@@ -1,11 +1,13 @@
 // The game's pages and commands: config, pause, keys.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
-#include "engine/weather/recording.h"
 #include "engine/weather/source.h"
 #include "game/app/game.h"
 #include "game/app/live_weather.h"
@@ -17,30 +19,6 @@ bool changesFlight(std::string const& key) {
     core::SettingList list;
     appendFlightSettings(list, settings);
     return core::findSetting(list, key) != nullptr;
-}
-
-/// What the recording calls itself; the file's name where it cannot be read.
-std::string nameOf(std::filesystem::path const& file) {
-    try {
-        return weather::readRecording(file.string()).name;
-    } catch (core::Error const&) {
-        return file.stem().string();
-    }
-}
-
-/// The weather that the menu offers: what is bundled, and the presets.
-std::vector<ui::MenuWeather::Source> offeredWeather() {
-    std::vector<ui::MenuWeather::Source> sources{{kLiveSource, "Live: the weather of now (page Live says from whom)"}};
-    std::error_code ignored;
-    auto const folder = std::filesystem::absolute(platform::dataFile("assets/weather"));
-    for (auto const& entry : std::filesystem::directory_iterator{folder, ignored})
-        if (entry.path().extension() == ".json")
-            sources.push_back({"recorded:" + entry.path().string(), nameOf(entry.path()) + " (recorded)"});
-    std::sort(sources.begin() + 1, sources.end(),
-              [](auto const& a, auto const& b) { return a.source < b.source; });
-    for (char const* preset : {"calm", "clear", "fair", "broken", "overcast", "storm"})
-        sources.push_back({std::string{"preset:"} + preset, std::string{preset} + " (preset)"});
-    return sources;
 }
 
 std::filesystem::path pictureFile() {
@@ -64,6 +42,9 @@ void Game::obey(ui::DeviceReading const& reading) {
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;
     if (reading.pressed(Command::wireframe)) debug_.wireframe = !debug_.wireframe;
     if (reading.pressed(Command::keys)) keysOpen_ = !keysOpen_;
+    if (reading.pressed(Command::weather)) configOpen_ = weatherPage_ = true;
+    if (reading.pressed(Command::photo)) nextPhotoMode();
+    if (reading.pressed(Command::air)) change({"hud.air", !settings_.hud.air});
     if (reading.pressed(Command::escape)) escape();
     if (reading.pressed(Command::fullScreen))
         change({"graphics.full_screen", !settings_.graphics.fullScreen});
@@ -92,15 +73,14 @@ void Game::takePicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather()));
+    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
     if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
 }
 
 void Game::answerConfig(ui::ConfigAnswer const& answer) {
     for (ui::SettingChange const& wanted : answer.changes) change(wanted);
-    if (answer.source) useWeather(*answer.source);
-    if (answer.utc) session_->input(ClockInput{*answer.utc});
+    answerWeather(answer.weather);
     if (answer.close) configOpen_ = false;
 }
 
@@ -144,23 +124,13 @@ void Game::followWeatherSettings() {
     feed_ = std::make_shared<WeatherFeed>(wanted, window ? FeedPace::beside : FeedPace::inLine, feedCacheFolder(wanted, window));
 }
 
-void Game::useWeather(std::string const& source) {
-    change({"weather.live", source == kLiveSource});
-    if (source == kLiveSource) return;
-    try {
-        session_->world().loadWeather(source);
-        session_->input(WeatherInput{.source = source});
-        session_->world().forgetUnused();
-    } catch (core::Error const& error) {
-        messages_.say(error.what(), ui::MessageKind::bad, session_->simulation().seconds());
-    }
+void Game::complain(std::optional<std::string> const& what) {
+    if (what) messages_.say(*what, ui::MessageKind::bad, session_->simulation().seconds());
 }
 
-ui::MenuWeather Game::menuWeather() const {
-    static std::vector<ui::MenuWeather::Source> const kOffered = offeredWeather();
-    weather::Field const& field = session_->world().field();
-    bool const preset = field.origin().mode == weather::SourceMode::Preset;
-    ui::MenuWeather menu{kOffered, session_->world().source(), session_->simulation().utc(), field.start(), preset ? field.start() : field.end(), {}};
+ui::MenuWeather Game::menuWeather() {
+    ui::MenuWeather menu = desk_.menu(*session_);
+    if (photo_) menu.photo = photo_->state();
     if (!feed_) return menu;
     ProviderFacts const& facts = factsOf(feed_->settings().provider);
     FeedStatus const status = feed_->status(feedTime(*feed_, session_->simulation()));
@@ -168,5 +138,58 @@ ui::MenuWeather Game::menuWeather() const {
     menu.live = {fmt::format("{} ({}).", facts.attribution, facts.limits)};
     if (status.line != facts.attribution) menu.live.push_back(status.line);
     return menu;
+}
+
+void Game::answerWeather(ui::WeatherAnswer const& answer) {
+    // Another weather than the feed's ends it: it would come back with the next arrival.
+    if (answer.source) change({"weather.live", *answer.source == kLiveSource});
+    if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});
+    auto const hour = desk_.obey(answer, *session_);
+    complain(desk_.takeComplaint());
+    if (answer.photo && photo_) photo_->view() = *answer.photo;
+    if (answer.comparePhoto) comparePhoto();
+    if (hour) flyHour(*hour);
+}
+
+/// A new flight there and then.
+void Game::flyHour(RealHour const& hour) {
+    try {
+        SessionOptions plan = plan_;
+        plan.plan = planFor(hour, plan_.plan);
+        plan.script.clear();
+        plan.plan.simulation.settings = settings_.flight;
+        session_ = std::make_unique<Session>(plan);
+        plan_ = std::move(plan);
+        air_ = {};
+        beginFlight();
+        messages_.say(hour.name, ui::MessageKind::info, session_->simulation().seconds());
+    } catch (core::Error const& error) {
+        complain(error.what());
+    }
+}
+
+/// Over the picture, split, side by side, hidden, and round again.
+void Game::nextPhotoMode() {
+    if (!photo_) return complain("No photograph: start with --photo FILE");
+    using ui::PhotoMode;
+    PhotoMode& mode = photo_->view().mode;
+    mode = mode == PhotoMode::over ? PhotoMode::split : mode == PhotoMode::split ? PhotoMode::beside : mode == PhotoMode::beside ? PhotoMode::hidden : PhotoMode::over;
+}
+
+/// The picture alone, without instruments and photograph, beside the photograph.
+void Game::comparePhoto() {
+    if (!photo_) return;
+    FrameStep const now{0, 1.0, 0.0, 0.0};
+    renderer_.draw(pictureOf(now, nullptr, false));
+    photo_->compare(renderer_.readPixels());
+}
+
+void Game::drawAir() {
+    Simulation const& simulation = session_->simulation();
+    flight::AircraftState const& aircraft = simulation.aircraft().state();
+    ui::AirSubject const subject{aircraft.positionWorld, aircraft.readings.heading};
+    weather::AirInstant const air = simulation.airNow();
+    air_.update([&](glm::dvec3 const& p, core::UtcSeconds) { return air.at(p); }, session_->world().ground(), subject, simulation.utc());
+    ui::drawAirOverlay({subject, {air_.winds().begin(), air_.winds().end()}, air_.lift(), cameras_.pose()});
 }
 }  // namespace luftpost::app

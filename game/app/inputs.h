@@ -34,7 +34,13 @@ struct ClockInput {
     core::UtcSeconds utc = 0.0;  // the time at the beginning of the tick
     bool operator==(ClockInput const&) const = default;
 };
-using FlightInput = std::variant<ui::InputSample, SettingInput, WeatherInput, ClockInput>;
+/// The weather's clock runs so many times as fast as the flight's from now on: sun, clouds and wind go with it.
+struct ClockRateInput {
+    double rate = 1.0;  // 0..kFastestClock
+    bool operator==(ClockRateInput const&) const = default;
+};
+inline constexpr double kFastestClock = 600.0;
+using FlightInput = std::variant<ui::InputSample, SettingInput, WeatherInput, ClockInput, ClockRateInput>;
 
 struct StampedInput {
     long long tick = 0;

@@ -27,6 +27,7 @@ void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) 
     play->add_option("--save-replay", texts->saveReplay, "FILE: the flight, to be flown again by `replay`");
     play->add_option("--save-weather", texts->saveWeather, "FILE: the weather of this flight as a recording");
     play->add_option("--save", texts->save, "FILE: score and deliveries so far");
+    play->add_option("--photo", texts->photo, "FILE or folder: a photograph laid over the picture (F5), the one nearest in time");
     play->add_option("--start", texts->start, "air:ALT_M,TAS_MPS,HEADING_DEG or runway");
     play->add_option("--assist", texts->assist, "sim, light, normal or easy (default normal)");
     play->add_option("--payload", texts->payload, "kg (default 240)");

@@ -12,6 +12,7 @@
 #include "engine/weather/source.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
+#include "game/app/photo_box.h"
 #include "game/app/player_files.h"
 #include "game/app/weather_source.h"
 #include "game/ui/input_csv.h"
@@ -60,8 +61,9 @@ RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
     run.saveReplay = texts.saveReplay;
     run.saveWeather = texts.saveWeather;
     run.save = texts.save;
-    if (run.noRender && !run.screenshot.empty())
-        throw core::Error{"--screenshot", "", "expected not with --no-render, which draws nothing"};
+    for (auto const& [option, file] : {std::pair{"--screenshot", &texts.screenshot}, std::pair{"--photo", &texts.photo}})
+        if (run.noRender && !file->empty())
+            throw core::Error{option, "", "expected not with --no-render, which draws nothing"};
     if (!texts.seconds.empty()) {
         double const seconds = numberOption("--seconds", texts.seconds, 0.0, kLongestFlight);
         run.ticks = ui::tickAtOrAfter(seconds);
@@ -125,6 +127,7 @@ weather::Field firstField(FlightPlan& plan, CommonOptions& common, RunOptions& r
 
 /// The weather's source, place and hour.
 void planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
+    plan.weatherLatest = feedTime(common);
     weather::Field const field = firstField(plan, common, run);
     bool const preset = field.origin().mode == weather::SourceMode::Preset;
     if (plan.weather.recording.empty())  // so that the replay finds it from any folder
@@ -186,6 +189,7 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
     options.session.log = !texts.log.empty();
     options.session.weather = !texts.saveWeather.empty();
     if (!texts.input.empty()) options.session.script = scriptFrom(texts.input);
+    if (!texts.photo.empty()) options.run.photos = photosOption(texts.photo, options.session.plan.simulation.time);
     return options;
 }
 

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "engine/assets/photo.h"
 #include "game/app/commands.h"
 #include "game/app/session.h"
 #include "game/app/weather_feed.h"
@@ -14,7 +16,7 @@ namespace luftpost::app {
 struct PlayTexts {
     bool headless = false, noRender = false;
     std::string bot, start, assist, payload, fuel, seconds, frameRate, workers;
-    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save;
+    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save, photo;
 };
 
 /// How a flight is run and what is written about it.
@@ -26,6 +28,7 @@ struct RunOptions {
     glm::ivec2 size{1280, 720};
     Settings settings;
     std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
+    std::vector<assets::PhotoFile> photos;  // of --photo
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
     std::shared_ptr<WeatherFeed> feed;         // of live weather
 };

@@ -38,6 +38,7 @@ Json planJson(FlightPlan const& plan) {
     SimulationOptions const& s = plan.simulation;
     return {{"weather", weatherJson(plan.weather)},
             {"weather_sha256", plan.weatherSha256},
+            {"weather_latest_utc", plan.weatherLatest},
             {"place", {plan.place.lat_deg, plan.place.lon_deg, plan.place.altitude_m}},
             {"seed", s.seed},
             {"utc", s.time},
@@ -71,6 +72,7 @@ Json inputJson(StampedInput const& input) {
     if (auto const* sample = std::get_if<ui::InputSample>(&input.what)) json.update(sampleJson(*sample));
     if (auto const* weather = std::get_if<WeatherInput>(&input.what)) json["weather"] = weatherJson(*weather);
     if (auto const* clock = std::get_if<ClockInput>(&input.what)) json["utc"] = clock->utc;
+    if (auto const* clock = std::get_if<ClockRateInput>(&input.what)) json["clock_rate"] = clock->rate;
     if (auto const* setting = std::get_if<SettingInput>(&input.what)) {
         json["setting"] = setting->key;
         json["value"] = std::visit([](auto const& v) { return Json(v); }, setting->value);
@@ -183,6 +185,7 @@ WeatherInput weatherFrom(Part const& part) {
 FlightInput inputFrom(Part const& part) {
     if (part.has("setting")) return settingFrom(part["setting"].text(), part["value"]);
     if (part.has("weather")) return weatherFrom(part["weather"]);
+    if (part.has("clock_rate")) return ClockRateInput{part["clock_rate"].number(0.0, kFastestClock)};
     if (part.has("utc")) return ClockInput{part["utc"].number(kFirstUtc, kLastUtc)};
     return sampleFrom(part);
 }
@@ -191,6 +194,7 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     FlightPlan plan;
     plan.weather = weatherFrom(part["weather"]);
     plan.weatherSha256 = part["weather_sha256"].text();
+    plan.weatherLatest = part["weather_latest_utc"].number(kFirstUtc, kLastUtc);
     Part const place = part["place"].list(3);
     plan.place = {place.at(0).number(-90.0, 90.0), place.at(1).number(-180.0, 180.0),
                   place.at(2).number(-500.0, 20000.0)};

@@ -46,7 +46,7 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
       delivery_{options.seed, startEastNorth(world, options),
                 directionEastNorth(startHeading(world, options)), world.ground()},
       settings_{options.settings},
-      utcAtTickZero_{options.time},
+      clockUtc_{options.time},
       payload_{options.payload},
       fuel_{options.fuel} {
     startFlight(options);
@@ -74,7 +74,8 @@ void Simulation::startFlight(SimulationOptions const& options) {
 void Simulation::apply(FlightInput const& input) {
     if (auto const* sample = std::get_if<ui::InputSample>(&input)) sample_ = *sample;
     if (auto const* weather = std::get_if<WeatherInput>(&input)) world_.use(*weather);
-    if (auto const* clock = std::get_if<ClockInput>(&input)) utcAtTickZero_ = clock->utc - seconds();
+    if (auto const* clock = std::get_if<ClockInput>(&input)) setClock(clock->utc, clockRate_);
+    if (auto const* clock = std::get_if<ClockRateInput>(&input)) setClock(utc(), clock->rate);
     if (auto const* change = std::get_if<SettingInput>(&input)) {
         core::SettingList list;
         appendFlightSettings(list, settings_);
@@ -82,6 +83,12 @@ void Simulation::apply(FlightInput const& input) {
         CHECK(setting, "{} does not change the flight", change->key);
         setting->set(change->value);
     }
+}
+
+void Simulation::setClock(core::UtcSeconds utc, double rate) {
+    clockTick_ = tick_;
+    clockUtc_ = utc;
+    clockRate_ = rate;
 }
 
 void Simulation::step() {
@@ -169,7 +176,7 @@ std::string Simulation::stateHash() const {
     delivery::forEachNumber(delivery_, take);
     stick_.forEachNumber(take);
     take(static_cast<double>(tick_));
-    take(utc());
+    take(utc()), take(clockRate_);
     hash.take(delivery_.randomState());
     return hash.text();
 }

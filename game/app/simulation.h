@@ -50,7 +50,9 @@ public:
 
     long long tick() const { return tick_; }  // the next one to be stepped; its beginning is now
     double seconds() const { return static_cast<double>(tick_) * core::kTickSeconds; }
-    core::UtcSeconds utc() const { return utcAtTickZero_ + seconds(); }
+    /// The weather's clock.
+    core::UtcSeconds utc() const { return clockUtc_ + clockRate_ * (static_cast<double>(tick_ - clockTick_) * core::kTickSeconds); }
+    double clockRate() const { return clockRate_; }
 
     flight::Aircraft const& aircraft() const { return aircraft_; }
     flight::AircraftState const& before() const {
@@ -70,6 +72,7 @@ public:
     std::string stateHash() const;
 
 private:
+    void setClock(core::UtcSeconds utc, double rate);
     core::AirFunction airAtAnyTime() const;
     void startFlight(SimulationOptions const& options);
     void releaseParcel();
@@ -86,7 +89,9 @@ private:
     ui::InputSample sample_;
     ui::Stick stick_;
     long long tick_ = 0;
-    core::UtcSeconds utcAtTickZero_ = 0.0;
+    long long clockTick_ = 0;          // at this tick the weather's clock was set to ...
+    core::UtcSeconds clockUtc_ = 0.0;  // ... this, and it runs on ...
+    double clockRate_ = 1.0;           // ... so many times as fast
     double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
     int crashes_ = 0;
     std::vector<FlightEventAt> events_;

@@ -16,8 +16,11 @@
 #include "engine/render/renderer.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
+#include "engine/weather/air.h"
 #include "engine/weather/source.h"
+#include "game/app/colour_comparison.h"
 #include "game/app/commands.h"
+#include "game/app/photo_box.h"
 #include "game/app/plan.h"
 #include "game/app/weather_source.h"
 
@@ -32,7 +35,7 @@ constexpr unsigned kUsualSeed = 1;
 /// The command's own options as the command line has them.
 struct SkyTexts {
     std::string look, fov, exposure, frames, step, plan;
-    fs::path output;
+    fs::path output, photo, beside;
     bool panorama = false;
     bool dome = false;
 };
@@ -48,6 +51,8 @@ struct SkyRequest {
     double step = 60.0;  // s
     fs::path output;
     double plan_km = 0.0;  // 0: a picture, else the plan of a square this wide
+    std::vector<assets::PhotoFile> photos;  // to be compared with
+    fs::path beside;                        // picture and photograph side by side
 };
 
 bool isExr(fs::path const& file) { return file.extension() == ".exr"; }
@@ -95,6 +100,22 @@ void readPlan(SkyRequest& request, SkyTexts const& texts) {
         throw core::Error{"-o", "", fmt::format("expected FILE.exr with --plan, found {}", request.output.string())};
 }
 
+/// The photographs are read and refused here, before anything is drawn; which one is nearest is seen frame by frame.
+void readPhotos(SkyRequest& request, SkyTexts const& texts) {
+    if (texts.photo.empty()) {
+        if (!texts.beside.empty()) throw core::Error{"--side-by-side", "", "expected only together with --photo"};
+        return;
+    }
+    if (request.plan_km > 0.0) throw core::Error{"--photo", "", "expected not together with --plan"};
+    request.photos = assets::findPhotos(texts.photo);
+    for (assets::PhotoFile const& photo : request.photos) assets::readImage(photo.file);
+    request.beside = texts.beside;
+    if (request.beside.empty()) return;
+    if (request.beside.extension() != ".png" || request.beside == request.output)
+        throw core::Error{"--side-by-side", "", fmt::format("expected FILE.png, another than that of -o, found {}", request.beside.string())};
+    core::checkOutputFolder("--side-by-side", request.beside);
+}
+
 SkyRequest skyRequest(SkyTexts const& texts) {
     SkyRequest request;
     readView(request, texts);
@@ -108,6 +129,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
                           fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
     core::checkOutputFolder("-o", request.output);
     readPlan(request, texts);
+    readPhotos(request, texts);
     return request;
 }
 
@@ -138,6 +160,7 @@ struct Scene {
     unsigned seed;
     core::Place place;
     terrain::Land land;
+    weather::Air air{field, [this](double east, double north) { return land.ground(east, north); }, seed};
     core::UtcSeconds start;
     double eye = 0.0;  // m above sea level
 };
@@ -170,19 +193,25 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.sky = sky::skyState(eye, snapshot.time);
     snapshot.field = &scene.field;
     snapshot.weather = scene.field.at(0.0, 0.0, snapshot.time);
-    glm::dvec2 const wind =
-        scene.field.windAt(0.0, 0.0, scene.eye, scene.land.ground(0.0, 0.0).height, snapshot.time);
-    snapshot.windWorld = {wind.x, 0.0, -wind.y};
+    snapshot.air = scene.air.instant(snapshot.time, snapshot.clouds).at(snapshot.camera.positionWorld);
     return snapshot;
 }
 
 /// FILE.png, or FILE_0007.png in a time lapse.
-fs::path fileOfFrame(SkyRequest const& request, long long frame) {
-    if (!request.lapse) return request.output;
-    fs::path file = request.output;
-    file.replace_filename(fmt::format("{}_{:04}{}", request.output.stem().string(), frame,
-                                      request.output.extension().string()));
+fs::path fileOfFrame(SkyRequest const& request, fs::path const& output, long long frame) {
+    if (!request.lapse) return output;
+    fs::path file = output;
+    file.replace_filename(fmt::format("{}_{:04}{}", output.stem().string(), frame, output.extension().string()));
     return file;
+}
+
+/// Says how alike the colours of the picture and of the photograph nearest in time are, and puts both side by side.
+void compareWithPhoto(SkyRequest const& request, assets::Image const& picture, long long frame, core::UtcSeconds time) {
+    assets::PhotoFile const& photo = request.photos[assets::nearestPhoto(request.photos, time)];
+    assets::Image const image = assets::readImage(photo.file);
+    fmt::print("{} and {}, {}: {}\n", fileOfFrame(request, request.output, frame).string(), photo.file.string(), takenText(photo),
+               comparisonText(compareColours(picture, image)));
+    if (!request.beside.empty()) assets::writePng(fileOfFrame(request, request.beside, frame), sideBySide(picture, image));
 }
 
 int runSky(SkyTexts const& texts, CommonOptions const& common) {
@@ -197,11 +226,13 @@ int runSky(SkyTexts const& texts, CommonOptions const& common) {
     render::Renderer renderer{{.size = common.size}};
     for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
         renderer.draw(snapshotOf(request, scene, common, static_cast<double>(frame) * request.step));
-        fs::path const file = fileOfFrame(request, frame);
+        fs::path const file = fileOfFrame(request, request.output, frame);
         if (isExr(file))
             assets::writeExr(file, renderer.readHdr());
         else
             assets::writePng(file, renderer.readPixels());
+        if (!request.photos.empty())
+            compareWithPhoto(request, renderer.readPixels(), frame, scene.start + static_cast<double>(frame) * request.step);
     }
     return 0;
 }
@@ -217,6 +248,8 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
     sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear)");
     sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
+    sky->add_option("--photo", texts->photo, "FILE or folder: says how alike the colours are (the photograph nearest in time)");
+    sky->add_option("--side-by-side", texts->beside, "FILE.png: picture and photograph beside each other, with --photo");
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
     sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on");
     sky->add_option("--step", texts->step, "seconds between frames (default 60)");

@@ -37,7 +37,8 @@ struct CommandBinding {
 constexpr CommandBinding kCommandKeys[]{
     {Key::c, Command::camera},    {Key::p, Command::pause},      {Key::f1, Command::config},
     {Key::f2, Command::normals},  {Key::f3, Command::wireframe}, {Key::f11, Command::fullScreen},
-    {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::escape, Command::escape}};
+    {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::f4, Command::weather},
+    {Key::f5, Command::photo},    {Key::v, Command::air},        {Key::escape, Command::escape}};
 /// These work while a text box has the focus, too.
 bool isFunctionKey(Key key) { return key == Key::escape || (key >= Key::f1 && key <= Key::f12); }
 
@@ -152,12 +153,15 @@ std::vector<KeyHelp> keyHelp() {
         {"View",
          k(Key::i) + " " + k(Key::j) + " " + k(Key::k) + " " + k(Key::l) + " " + k(Key::u) + " " + k(Key::o),
          "", "move the free camera"},
+        {"View", k(Key::v), "", "show the air: wind, lift and sink"},
+        {"View", k(Key::f5), "", "photograph: over, split, beside, off"},
         {"View", k(Key::f2), "", "show normals"},
         {"View", k(Key::f3), "", "show the wireframe"},
         {"View", k(Key::f11), "", "full screen"},
         {"View", k(Key::f12), "", "take a picture"},
         {"Game", k(Key::p), "", "pause"},
         {"Game", k(Key::f1), "D-pad up", "settings"},
+        {"Game", k(Key::f4), "", "weather"},
         {"Game", k(Key::h), "D-pad down", "this page"},
         {"Game", k(Key::escape), "Start", "close a page, else the menu"}};
 }

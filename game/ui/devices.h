@@ -21,6 +21,9 @@ enum class Command : unsigned {
     fullScreen,
     picture,
     keys,
+    weather,
+    photo,
+    air,
     escape,
     count
 };

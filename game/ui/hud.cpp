@@ -212,7 +212,8 @@ std::string shortened(std::string const& text, std::size_t most) { return text.s
 
 void drawWeather(Pen const& pen, HudState const& state) {
     std::string const time = core::formatUtc(state.utc);  // 2023-06-23T18:40:00Z
-    std::string const stamp = fmt::format("{}  {} UTC", time.substr(0, 10), time.substr(11, 5));
+    std::string const rate = state.clockRate == 1.0 ? "" : state.clockRate == 0.0 ? "  stopped" : fmt::format("  {:.0f} \u00d7", state.clockRate);
+    std::string const stamp = fmt::format("{}  {} UTC{}", time.substr(0, 10), time.substr(11, 5), rate);
     std::string const source = state.weather.name, age = ageText(state.weather), note = shortened(state.weather.note, 64);
     float const inner =
         std::max({textSize(pen.f.small, source).x, textSize(pen.f.small, age).x, textSize(pen.f.small, note).x, textSize(pen.f.normal, stamp).x});

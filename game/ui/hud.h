@@ -74,6 +74,7 @@ struct HudState {
     int score = 0;
     int deliveries = 0;
     HudWeather weather;
+    double clockRate = 1.0;          // how many times as fast the weather's clock runs
     std::vector<HudMessage> messages;
     std::vector<HudPrompt> prompts;  // empty once the first minute is over
 

@@ -7,10 +7,12 @@
 namespace luftpost::ui {
 struct HudSettings {
     bool visible = true;
+    bool air = false;
     float scale = 1.0f;  // times height of the window / 720
 };
 
 inline constexpr std::tuple hudFields{
     core::Field{&HudSettings::visible, "hud.visible", "Instruments and navigation bar are shown"},
+    core::Field{&HudSettings::air, "hud.air", "The air is shown: winds by height, where it rises and where it sinks"},
     core::Field{&HudSettings::scale, "hud.scale", 0.5f, 2.0f, "Size of instruments and menus"}};
 }  // namespace luftpost::ui

@@ -9,18 +9,14 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
-#include "engine/core/time.h"
-#include "game/ui/draw_text.h"
+#include "game/ui/menu_parts.h"
 
 namespace luftpost::ui {
 namespace {
 using core::Setting;
 using core::SettingValue;
-
-float unit() { return fonts().scale; }
 
 std::string_view groupOf(std::string_view key) { return key.substr(0, key.find('.')); }
 
@@ -33,8 +29,9 @@ struct Page {
         return of == group || (!second.empty() && of == second);
     }
 };
-constexpr std::array<Page, 7> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
-                                      {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}, {"Live", "weather", ""}}};
+constexpr std::array<Page, 6> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
+                                      {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}}};
+constexpr Page kLivePage{"Live", "weather", ""};  // among the weather's own pages
 
 std::string capitalised(std::string_view text) {
     std::string result{text};
@@ -89,25 +86,10 @@ void markDefault(Setting const& setting, double initial) {
     list.AddTriangleFilled({x, to.y - 5.0f * unit()}, {x - 4.0f * unit(), to.y + 1.0f * unit()}, {x + 4.0f * unit(), to.y + 1.0f * unit()}, colour::kFaint);
 }
 
-/// The value over the slider with a halo, so that the grab does not hide it.
-void drawNumberText(std::string const& format, double value) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), format.c_str(), value);
-    ImVec2 const from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    glm::vec2 const at{0.5f * (from.x + to.x), 0.5f * (from.y + to.y - fonts().normal.size_px)};
-    luftpost::ui::drawText(*ImGui::GetWindowDrawList(), fonts().normal, at, colour::kPaper, text.data(), 0.5f);
-}
-
 std::optional<SettingValue> drawNumber(Setting const& setting, double value) {
     bool const logarithmic = setting.min > 0.0 && setting.max / setting.min > 50.0;
-    ImGuiSliderFlags const flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    std::string const format = numberFormat(setting);
-    bool const typing = ImGui::TempInputIsActive(ImGui::GetID("##value"));
-    if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
-    bool const changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &setting.min, &setting.max, format.c_str(), flags);
-    if (!typing) ImGui::PopStyleColor();
+    bool const changed = drawSlider("##value", value, setting.min, setting.max, numberFormat(setting), logarithmic);
     if (!logarithmic) markDefault(setting, std::get<double>(setting.initial));
-    if (!typing) drawNumberText(format, value);
     if (!changed) return std::nullopt;
     return SettingValue{setting.whole ? std::round(value) : value};
 }
@@ -136,20 +118,6 @@ std::optional<SettingValue> drawValue(Setting const& setting, SettingValue const
     return std::nullopt;
 }
 
-/// The help in small letters; a note in brackets at its end is left to the tooltip.
-void drawHelp(std::string_view help) {
-    std::string_view const all = help;
-    if (help.ends_with(')')) help = help.substr(0, help.rfind(" ("));
-    ImGui::PushFont(fonts().small.letters);
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(help.data(), help.data() + help.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-    if (all.size() != help.size() && ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(all.size()), all.data());
-}
-
 /// Label, control and way back in one line, the help under it.
 void drawSetting(Setting const& setting, ConfigAnswer& answer) {
     std::string const key{setting.key};
@@ -176,13 +144,6 @@ void reset(Setting const& setting, ConfigAnswer& answer) {
     if (setting.get() != setting.initial) answer.changes.push_back({std::string{setting.key}, setting.initial});
 }
 
-bool beginPage(char const* title) {
-    ImGui::PushFont(fonts().small.letters);
-    bool const open = ImGui::BeginTabItem(title);
-    ImGui::PopFont();
-    return open;
-}
-
 void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer& answer) {
     bool const any = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) { return page.shows(s); });
     std::string const title{page.title};
@@ -202,60 +163,14 @@ void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer&
     ImGui::EndTabItem();
 }
 
-std::string hourText(double utc) {
-    std::string const time = core::formatUtc(utc);
-    return fmt::format("{}  {} UTC", time.substr(0, 10), time.substr(11, 5));
-}
-
-void drawTimeOfDay(MenuWeather const& weather, ConfigAnswer& answer) {
-    constexpr double kHour = 3600.0, kDay = 86400.0;
-    bool const preset = weather.end <= weather.start;
-    double const start = preset ? std::floor(weather.utc / kDay) * kDay : weather.start;
-    double const end = preset ? start + kDay - 60.0 : weather.end;
-    ImGui::TextUnformatted("Time");
-    ImGui::SameLine();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kYellow), "%s", hourText(weather.utc).c_str());
-    double hours = std::clamp((weather.utc - start) / kHour, 0.0, (end - start) / kHour);
-    double const none = 0.0, most = (end - start) / kHour;
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &hours, &none, &most, "%.1f h after the start", ImGuiSliderFlags_AlwaysClamp))
-        answer.utc = start + hours * kHour;
-    constexpr std::array<std::pair<char const*, double>, 6> kSteps{{{"\u22121 day", -24.0}, {"\u22121 h", -1.0}, {"\u221210 min", -1.0 / 6.0}, {"+10 min", 1.0 / 6.0}, {"+1 h", 1.0}, {"+1 day", 24.0}}};
-    for (auto const& [label, step] : kSteps) {
-        if (ImGui::Button(label)) answer.utc = std::clamp(weather.utc + step * kHour, start, end);
-        if (label != kSteps.back().first) ImGui::SameLine(0.0f, 5.0f * unit());
-    }
-    drawHelp(preset ? "A preset holds all day: choose the hour." : "The recording holds its nearest end outside its own hours.");
-}
-
-void drawWeatherPage(MenuWeather const& weather, ConfigAnswer& answer) {
-    if (!beginPage("Weather")) return;
-    ImGui::BeginChild("rows", {0.0f, 0.0f}, false);
-    ImGui::Dummy({0.0f, 2.0f * unit()});
-    drawTimeOfDay(weather, answer);
-    ImGui::Dummy({0.0f, 6.0f * unit()});
-    ImGui::Separator();
-    ImGui::TextUnformatted("Source");
-    for (MenuWeather::Source const& source : weather.sources) {
-        ImGui::PushID(source.source.c_str());
-        if (ImGui::RadioButton(source.label.c_str(), source.source == weather.current) && source.source != weather.current)
-            answer.source = source.source;
-        ImGui::PopID();
-    }
-    drawHelp("A recorded real day moves clouds, wind, rain and light as it did; a preset stays as it is; live is now.");
-    for (std::string const& line : weather.live) drawHelp(line);
-    ImGui::EndChild();
-    ImGui::EndTabItem();
-}
-
-void drawPages(core::SettingList const& settings, MenuWeather const& weather, ConfigAnswer& answer) {
+void drawPages(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage, ConfigAnswer& answer) {
     drawPage(settings, kPages[0], answer);
-    drawWeatherPage(weather, answer);
+    drawWeatherPage(weather, weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
     for (Page const& page : kPages)
         if (&page != &kPages[0]) drawPage(settings, page, answer);
     std::vector<std::string_view> others;
     for (Setting const& setting : settings) {
-        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); });
+        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); }) || kLivePage.shows(setting);
         std::string_view const group = groupOf(setting.key);
         if (!known && std::find(others.begin(), others.end(), group) == others.end()) others.push_back(group);
     }
@@ -316,7 +231,7 @@ void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
 }
 }  // namespace
 
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather) {
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage) {
     ConfigAnswer answer;
     ImVec2 const size = ImGui::GetIO().DisplaySize;
     float const width = std::min(506.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
@@ -327,7 +242,7 @@ ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const
         ImGuiStyle& style = ImGui::GetStyle();
         ImVec2 const between = std::exchange(style.ItemInnerSpacing, ImVec2{2.0f * unit(), style.ItemInnerSpacing.y});
         if (ImGui::BeginTabBar("pages", ImGuiTabBarFlags_FittingPolicyScroll)) {
-            drawPages(settings, weather, answer);
+            drawPages(settings, weather, weatherPage, answer);
             ImGui::EndTabBar();
         }
         style.ItemInnerSpacing = between;

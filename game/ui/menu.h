@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/settings.h"
+#include "game/ui/weather_page.h"
 
 namespace luftpost::ui {
 /// A changed setting: the new value, of the setting's type and within its range.
@@ -16,31 +17,16 @@ struct SettingChange {
     core::SettingValue value;
 };
 
-/// Weather and time of day as the menu offers them.
-struct MenuWeather {
-    struct Source {
-        std::string source;  // "recorded:FILE" or "preset:NAME": what --weather takes
-        std::string label;   // "Basel, 21-23 June 2023 (recorded)"
-    };
-    std::vector<Source> sources;
-    std::string current;         // the source in use
-    double utc = 0.0;            // now
-    double start = 0.0;          // of the recording; equal to end for a preset, which offers its whole day
-    double end = 0.0;
-    std::vector<std::string> live;  // lines about the live source: how it stands, whose it is, its limits
-};
-
 /// What the player did in the config menu this frame.
 struct ConfigAnswer {
     std::vector<SettingChange> changes;
-    std::optional<std::string> source;  // take this weather
-    std::optional<double> utc;          // set the clock
-    bool close = false;                 // the cross
+    WeatherAnswer weather;
+    bool close = false;  // the cross
 };
 
 /// The config menu at the right of the screen: flight goes on beside it. Pages are the groups of the keys ("clouds.hg"
-/// belongs to "clouds"); which one is open is kept by Dear ImGui.
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather);
+/// belongs to "clouds"); which one is open is kept by Dear ImGui, unless `weatherPage` brings that one to the front.
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage = false);
 
 enum class PauseChoice { none, resume, config, keys, restart, quit };
 /// The pause menu in the middle of the screen.

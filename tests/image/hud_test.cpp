@@ -159,13 +159,21 @@ struct TestSettings {
 constexpr std::tuple kTestFields{core::Field{&TestSettings::roll, "aircraft.rollFactor", 0.0, 2.0, "Share of the roll command"},
                                  core::Field{&TestSettings::trees, "graphics.trees", "Trees are drawn"}};
 
+ui::MenuWeather fairWeather() {
+    ui::MenuWeather weather;
+    weather.sources = {{"preset:fair", "Fair", "", true}};
+    weather.current = "preset:fair";
+    weather.utc = 1687545600.0;
+    return weather;
+}
+
 /// One frame of the config menu with the pointer there, its button up or down.
 ui::ConfigAnswer frameOfMenu(ui::ScreenFrame& frame, core::SettingList const& list, glm::dvec2 pointer, bool down) {
     platform::Input input;
     input.mouse = pointer;
     input.mouseHeld[0] = down;
     frame.begin({1280, 720}, 1.0f, 1.0 / 60.0, &input);
-    ui::ConfigAnswer answer = ui::drawConfigMenu(list, {{{"preset:fair", "Fair"}}, "preset:fair", 1687545600.0, 0.0, 0.0});
+    ui::ConfigAnswer answer = ui::drawConfigMenu(list, fairWeather());
     frame.end();
     return answer;
 }
@@ -177,7 +185,7 @@ TEST(ConfigMenu, ShowsThatAllItsPagesAreThere) {
         ui::ScreenFrame frame;
         for (int i = 0; i < 3; ++i) {
             frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
-            ui::drawConfigMenu(list, {{{"preset:fair", "Fair"}}, "preset:fair", 1687545600.0, 0.0, 0.0});
+            ui::drawConfigMenu(list, fairWeather());
             frame.end();
         }
         ImGuiTabBar const& tabs = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);

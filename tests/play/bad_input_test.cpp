@@ -113,6 +113,22 @@ TEST(BadInput, NamesPlaceInFiles) {
     expectRefused("replay /no/such.replay", {"/no/such.replay"});
 }
 
+TEST(BadInput, IsAPhotographThatIsNone) {
+    path const folder = scratch() / "photos";
+    std::filesystem::create_directories(folder);
+    writeText(folder / "text.jpg", "not an image");
+    std::string const file = (folder / "text.jpg").string(), output = "-o '" + (scratch() / "no.png").string() + "'";
+    std::filesystem::create_directories(scratch() / "empty");
+    for (std::string const& command : {std::string{"play --headless --seconds 1"}, "sky " + output}) {
+        expectRefused(command + " --photo '" + file + "'", {"text.jpg", "expected an image"});
+        expectRefused(command + " --photo '" + folder.string() + "'", {"text.jpg", "expected an image"});
+        expectRefused(command + " --photo /no/such.jpg", {"/no/such.jpg"});
+        expectRefused(command + " --photo '" + (scratch() / "empty").string() + "'", {"empty", "photographs"});
+    }
+    expectRefused(kFly + "--photo '" + file + "'", {"--photo", "--no-render"});
+    expectRefused("sky " + output + " --side-by-side both.png", {"--side-by-side", "--photo"});
+}
+
 TEST(BadInput, NamesThePlaceInAReplay) {
     path const good = scratch() / "good.replay", bad = scratch() / "bad.replay";
     ASSERT_EQ(run(kFly + "--save-replay '" + good.string() + "'").code, 0);
@@ -139,6 +155,7 @@ TEST(BadInput, NamesThePlaceInAReplay) {
     expectPlace("/inputs", "[{\"tick\": 4, \"keys\": 0, \"stick\": [1]}]", "inputs[0].stick");
     expectPlace("/inputs", "[{\"tick\": 4, \"keys\": 0}, {\"tick\": 3, \"keys\": 0}]", "inputs[1].tick");
     expectPlace("/inputs", "[{\"tick\": 4, \"utc\": 1e300}]", "inputs[0].utc");
+    expectPlace("/inputs", "[{\"tick\": 4, \"clock_rate\": 601}]", "inputs[0].clock_rate");
     expectPlace("/inputs", "[{\"tick\": 4, \"setting\": \"clouds.sigma\", \"value\": \"x\"}]", "inputs[0].value");
     expectPlace("/inputs", "[{\"tick\": 4}]", "inputs[0]");
 }
