@@ -7,6 +7,7 @@ import http.server
 import json
 import math
 import os
+import re
 import ssl
 import sys
 import threading
@@ -148,7 +149,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.answer(b'{"latitude":47.5,"longitude":7.6,"hourly_units":{"time":"unixtime"},"hourly":{"time":[1,2,3],"temperature_2m":["warm",{},[]]}}')
 
     def mode_nan(self, number):
-        self.answer(self.good().replace(b'"temperature_2m": [', b'"temperature_2m": [NaN, ', 1))
+        self.answer(re.sub(rb'("temperature_2m": \[)[^,]+', rb"\1NaN", self.good(), count=1))
 
     def mode_huge(self, number):
         self.send_response(200)
