@@ -43,8 +43,8 @@ TEST(WeatherStrip, KeepsTheGustTheCloudburstAndTheThunderOfBaselThoughTheyAreSho
 TEST(WeatherStrip, TellsNightFromDay) {
     for (ui::StripColumn const& column : ui::weatherStrip(bundled("basel_2023-06-21_23.json"), {0.0, 0.0}, 96).columns) {
         double const hour = std::fmod(column.time / 3600.0, 24.0);  // sunrise 3:30, sunset 19:30 UTC
-        if (hour > 4.5 && hour < 18.5) EXPECT_FALSE(column.night) << hour;
-        if (hour < 2.5 || hour > 20.5) EXPECT_TRUE(column.night) << hour;
+        if (hour > 4.5 && hour < 18.5) { EXPECT_FALSE(column.night) << hour; }
+        if (hour < 2.5 || hour > 20.5) { EXPECT_TRUE(column.night) << hour; }
     }
 }
 
