@@ -81,7 +81,8 @@ def main():
     chosen = arguments.parse_args()
     table = joined(our_airports(chosen.ourairports), weather_util(chosen.stations), noaa(chosen.noaa))
     with open(chosen.o, "w", encoding="utf-8") as out:
-        out.write("# ICAO, latitude, longitude, elevation in m, name; assets/make/stations.py says from which sources\n")
+        out.write("# ICAO, latitude, longitude, elevation in m, name. Of OurAirports and NOAA (public domain), in part by way of "
+                  "weather-util (ISC, Jeremy Stanley); made by assets/make/stations.py\n")
         for code, (lat, lon, elevation, name) in sorted(table.items()):
             height = "" if elevation is None else f"{elevation:.0f}"
             out.write(f"{code}\t{lat:.4f}\t{lon:.4f}\t{height}\t{' '.join(name.split())[:60]}\n")

@@ -15,30 +15,21 @@ constexpr double kSnowFall = 1.1;        // m/s
 /// the median diameter of Marshall and Palmer, D = 0.9 R^0.21.
 double rainFall(double rate) { return 3.78 * std::pow(0.9 * std::pow(rate, 0.21), 0.67); }
 
-bool isSnow(weather::Precipitation kind) { return kind == weather::Precipitation::Snow; }
-
-/// True below the base of the lowest closed layer, where drops fall.
-bool belowClouds(Snapshot const& snapshot) {
-    weather::Weather const& weather = snapshot.weather;
-    double top = 0.0;
-    for (int i = 0; i < weather.layerCount; ++i)
-        if (weather.layers[static_cast<std::size_t>(i)].cover > 0.3f)
-            top = std::max(top, static_cast<double>(weather.layers[static_cast<std::size_t>(i)].top));
-    return weather.layerCount == 0 || snapshot.camera.positionWorld.y < top;
-}
+constexpr double kLeast = 0.05;          // mm/h, less is not seen
 }  // namespace
 
 PrecipitationPass::PrecipitationPass(gl::ProgramLibrary& programs) : program_{programs.compute("precipitation")} {}
 
 void PrecipitationPass::draw(FrameContext const& context) {
     Snapshot const& snapshot = context.snapshot;
-    double const rate = snapshot.weather.precipitationRate;
-    if (rate < 0.05 || !belowClouds(snapshot)) return;
-    bool const snow = isSnow(snapshot.weather.precipitation);
+    core::AirSample const& air = snapshot.air;
+    double const rate = air.rain + air.snow + air.hail;
+    if (rate < kLeast) return;
+    bool const snow = air.snow > air.rain + air.hail;
     glm::dvec3 const moved{glm::vec3{context.frame.cameraMoved}};
     glm::dvec3 const cameraVelocity = snapshot.frameSeconds > 0.0 ? moved / snapshot.frameSeconds : glm::dvec3{0.0};
     glm::dvec3 const fall{0.0, snow ? -kSnowFall : -rainFall(rate), 0.0};
-    glm::dvec3 const velocity = snapshot.windWorld + fall - cameraVelocity;
+    glm::dvec3 const velocity = air.windWorld + fall - cameraVelocity;
     double const speed = std::max(glm::length(velocity), 0.1);
     fallen_ = snapshot.still ? 0.0 : std::fmod(fallen_ + speed * snapshot.frameSeconds, kWrap);
 

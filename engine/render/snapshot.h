@@ -95,7 +95,7 @@ struct Snapshot {
     sky::SkyState sky;
     weather::Field const* field = nullptr;     // lives as long as the frame; null: no clouds
     weather::Weather weather;                  // at the camera
-    glm::dvec3 windWorld{0.0};                 // at the camera, m/s
+    core::AirSample air;                       // at the camera: what blows and falls there
 
     std::vector<ModelInstance> models;
     std::vector<Puff> puffs;

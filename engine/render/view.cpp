@@ -27,7 +27,9 @@ int projectionMode(Projection projection) {
 void describeTime(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.time = glm::vec4{glm::dvec4{std::fmod(snapshot.simulationSeconds, 3600.0), snapshot.frameSeconds,
                                       std::fmod(snapshot.time, 86400.0), 0.0}};
-    frame.wind = glm::vec4{glm::vec3{snapshot.windWorld}, static_cast<float>(snapshot.weather.gust)};
+    // Waves take minutes to grow: they go by the mean wind over the ground, neither by gusts nor by that of the camera's height.
+    glm::vec2 const wind{snapshot.weather.windSurface};
+    frame.wind = {wind.x, 0.0f, -wind.y, static_cast<float>(snapshot.weather.gust)};
     bool const snow = snapshot.weather.precipitation == weather::Precipitation::Snow;
     double const rate = snapshot.weather.precipitationRate;
     frame.weather = glm::vec4{static_cast<float>(snapshot.weather.visibility), static_cast<float>(rate), snow ? 1.0f : 0.0f,

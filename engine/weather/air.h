@@ -1,5 +1,5 @@
 // The air: the one function air(position, time). Wind with gusts and turbulence, lift and sink, density, temperature,
-// pressure, visibility, icing. Pure: the same bits for the same field, seed, settings, position and time, on any thread.
+// pressure, visibility, icing, rain, snow and hail. Pure: the same bits for the same field, seed, settings, position and time, on any thread.
 #pragma once
 #include <memory>
 
@@ -13,7 +13,7 @@ struct NoiseVolumes;
 
 class Air {
 public:
-    /// Keeps references: `field` and `noise` must outlive the air. `ground` is asked on a lattice of 64 m and remembered.
+    /// Keeps references: `field` and `noise` must outlive the air. `ground` is asked at the nodes of lattices and remembered.
     /// With `noise` the visibility and the icing inside clouds come from the density that is drawn; without it clouds dim
     /// nothing.
     Air(Field const& field, core::GroundFunction ground, unsigned seed, NoiseVolumes const* noise = nullptr);
@@ -33,7 +33,7 @@ private:
 
 class AirInstant {
 public:
-    /// positionWorld in m; the wind below the ground is that on the ground. About half a microsecond.
+    /// positionWorld in m; the wind below the ground is that on the ground. About a microsecond.
     core::AirSample at(glm::dvec3 const& positionWorld) const;
     core::UtcSeconds time() const;
 

@@ -1,36 +1,31 @@
 #include "engine/weather/convection.h"
 
-#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.h"
+#include "engine/weather/inside.h"
+#include "engine/weather/stirring.h"
 
 namespace luftpost::weather {
 namespace {
-constexpr double kEdge = 0.2;  // rank, from the outline to full lift
+constexpr double kEdge = 0.2;           // rank, from the outline of a cumulus to full lift
+constexpr double kDryShare = 0.15;      // of the land under thermals without cloud: 0.1 to 0.2 (Lenschow and Stephens 1980)
+constexpr double kPeak = 2.0;           // of a thermal's middle over its mean
+constexpr double kLatent = 0.25;        // of a noon's strength: what a cloud lifts by its own warmth
+constexpr double kCoreShare = 0.3;      // of the plane under a storm's cores where all of it is storm
+constexpr double kWeakCores = 6.0, kStrongCores = 16.0;  // m/s, at no CAPE and at 2500 J/kg
 
-double smooth(double low, double high, double x) {
-    double const u = std::clamp((x - low) / (high - low), 0.0, 1.0);
-    return u * u * (3.0 - 2.0 * u);
-}
+double cubeRoot(double x) { return x > 0.0 ? core::pow(x, 1.0 / 3.0) : 0.0; }
 
-/// How far inside the outline, 0..1, and its mean over the plane.
-struct Inside {
-    double here, mean;
-};
-Inside insideOf(UnderCloud const& at) {
-    double const threshold = std::clamp(at.threshold, 0.0, 1.0);
-    double const edge = std::min(kEdge, threshold);
-    if (edge <= 0.0) return {0.0, 0.0};
-    return {smooth(0.0, edge, threshold - at.rank), threshold - 0.5 * edge};
-}
-
-/// A thermal gathers speed in the lowest third, slows toward the base, and ends at the cloud's top.
-double thermalShape(UnderCloud const& at) {
+/// Share of the speed that a thermal under a cloud has: most in the middle of its way, 0.84 at the base, none at the cloud's top.
+double cloudThermal(UnderCloud const& at) {
     double const depth = std::max(at.base - at.ground, 100.0);
     if (at.altitude <= at.base) {
-        double const r = std::max(at.altitude - at.ground, 0.0) / depth;
-        return smooth(0.0, 0.4, r) * (1.0 - 0.35 * smooth(0.5, 1.0, r));
+        double const r = std::clamp((at.altitude - at.ground) / depth, 0.0, 1.0);
+        return cubeRoot(r) * (1.0 - 0.5 * r) / 0.595;
     }
     double const q = (at.altitude - at.base) / std::max(at.top - at.base, 50.0);
-    return q < 1.0 ? (0.65 + q) * (1.0 - q) : 0.0;
+    return q < 1.0 ? (0.84 + 0.6 * q) * (1.0 - q) : 0.0;
 }
 
 /// 0 outside the cloud's heights, 1 well inside.
@@ -40,25 +35,39 @@ double within(UnderCloud const& at) {
 }
 }  // namespace
 
+double riseSpeed(double thickness) { return 3.0 + std::min(thickness, 2500.0) / 900.0; }
+
+glm::dvec2 thermalLean(glm::dvec2 windSurface, glm::dvec2 windCloud, double below, double depth, double speed) {
+    double const share = std::min(below / std::max(depth, 1.0), 1.0), ground = 0.25 * share * share;
+    return (ground * windSurface + (1.0 - ground) * windCloud) * (below / speed);
+}
+
 Convection cumulusConvection(UnderCloud const& at) {
-    Inside const inside = insideOf(at);
-    double const speed = (0.8 + std::min(at.top - at.base, 2500.0) / 1200.0) * (0.2 + 0.8 * at.heating);
+    Inside const inside = insideOf(at.rank, at.threshold, std::min(kEdge, at.threshold));
+    double const latent = kLatent * (1.0 - at.heating) * smooth(at.base - 100.0, at.base + 200.0, at.altitude);
+    double const speed = (1.2 + std::min(at.top - at.base, 2500.0) / 900.0) * (at.heating + latent);
     Convection result;
-    result.lift = speed * (inside.here - inside.mean) * thermalShape(at);
-    result.sigma = inside.here * (0.25 * speed * thermalShape(at) + 0.7 * within(at));
+    result.lift = speed * (inside.here - inside.mean) * cloudThermal(at);
+    result.sigma = inside.here * (0.25 * speed * cloudThermal(at) + 0.7 * within(at));
     return result;
 }
 
-Convection stormConvection(UnderCloud const& at) {
-    Inside const inside = insideOf(at);
-    double const wet = std::min(at.rain / 20.0, 1.0);
-    double const height = std::max(at.altitude - at.ground, 0.0), depth = std::max(at.base - at.ground, 100.0);
-    // The shaft is fastest at two thirds of the way down and has spread out at the ground.
-    double const shaft = smooth(0.0, 0.35 * depth, height) * (1.0 - 0.7 * smooth(0.5 * depth, depth + 300.0, height));
-    double const below = 1.0 - smooth(at.base - 100.0, at.base + 300.0, at.altitude);
-    Convection result;
-    result.lift = inside.here * ((1.5 * (1.0 - wet) - 5.0 * wet) * shaft * below + 9.0 * within(at) * (1.0 - below));
-    result.sigma = inside.here * (4.0 * within(at) + 1.2 * wet * below * smooth(0.0, 100.0, height));
-    return result;
+Convection dryConvection(double rank, double height, double depth, double heating, double strength) {
+    double const r = height / depth;
+    if (r <= 0.0 || r >= 1.0 / 1.1) return {};
+    Inside const inside = insideOf(rank, kDryShare, kDryShare);
+    double const speed = kPeak * strength * convectiveSpeed(heating, depth) * cubeRoot(r) * (1.0 - 1.1 * r);
+    return {speed * (inside.here - inside.mean), 0.25 * speed * inside.here};
+}
+
+Convection stormUpdraught(UnderCloud const& at, double cape) {
+    double const threshold = std::min(at.threshold, kCoreShare);
+    Inside const inside = insideOf(at.rank, threshold, threshold);
+    double const depth = std::max(at.base - at.ground, 100.0), thickness = std::max(at.top - at.base, 50.0);
+    double const speed = kWeakCores + (kStrongCores - kWeakCores) * smooth(0.0, 2500.0, cape);
+    // It draws in from half the way to the ground and is strongest in the middle of the cloud.
+    double const shape = smooth(at.base - 0.5 * depth, at.base + 0.3 * thickness, at.altitude) *
+                         (1.0 - smooth(at.top - 0.4 * thickness, at.top, at.altitude));
+    return {speed * (inside.here - inside.mean) * shape, inside.here * 4.0 * within(at)};
 }
 }  // namespace luftpost::weather

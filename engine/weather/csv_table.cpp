@@ -39,7 +39,8 @@ CsvTable::CsvTable(std::string_view bytes, char separator, std::size_t heading, 
         if (line < heading || text.empty()) continue;
         auto cells = cellsOf(text, separator);
         if (columns_.empty()) {
-            if (cells.size() > kMostColumns) throw core::Error(file, fmt::format("line {}", line + 1), fmt::format("expected at most {} columns", kMostColumns));
+            if (cells.size() > kMostColumns)
+                throw core::Error(file, fmt::format("line {}", line + 1), fmt::format("expected at most {} columns", kMostColumns));
             for (std::size_t i = 0; i < cells.size(); ++i) columns_.emplace(cells[i], i);
             continue;
         }
@@ -62,7 +63,8 @@ std::optional<double> CsvTable::number(std::size_t row, std::string_view column,
     double value = 0.0;
     auto const [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc{} || end != cell.data() + cell.size() || !(value >= range.low && value <= range.high))
-        throw core::Error(file_, place(row, column), fmt::format("expected a number from {} to {}, found \"{}\"", range.low, range.high, oneLine(cell, 40)));
+        throw core::Error(file_, place(row, column),
+                          fmt::format("expected a number from {} to {}, found \"{}\"", range.low, range.high, oneLine(cell, 40)));
     return value;
 }
 

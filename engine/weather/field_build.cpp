@@ -7,6 +7,7 @@
 
 namespace luftpost::weather {
 namespace {
+constexpr double kNowhere = 1e9;           // m
 constexpr double kMeanHours = 1.5;         // h to either side: the wind that the free air above goes by
 constexpr double kZeroCelsius = 273.15;    // K
 constexpr double kBoundaryHeight = 300.0;  // m above ground: its wind carries the turbulence
@@ -247,6 +248,14 @@ SiteData siteData(Site const& site, core::Place const& place) {
     return data;
 }
 
+/// Sites whose place nobody knows stand alone, far from everywhere: each answers for itself and blends into nothing else. Where
+/// no place is known at all the first site is here.
+void setApart(std::vector<Site> const& said, std::vector<SiteData>& sites) {
+    bool const placed = std::any_of(said.begin(), said.end(), [](Site const& site) { return site.lat_deg.has_value(); });
+    for (std::size_t i = placed ? 0 : 1; i < sites.size(); ++i)
+        if (!said[i].lat_deg) sites[i].east = kNowhere * static_cast<double>(i + 1);
+}
+
 /// All that changes over a site with time.
 void drawCurves(SiteData& data) {
     std::vector<Window> const windows = windowsOf(data);
@@ -277,17 +286,19 @@ unsigned patternId(Genus genus, unsigned ordinal) {
     return x ^ (x >> 15);
 }
 
-/// The wish, else the first site; without an altitude the nearest site's elevation.
+/// The wish, else the first site whose place is known; without an altitude the nearest site's elevation.
 core::Place placeOf(Recording const& recording, std::optional<PlaceWish> const& wish) {
-    Site const& first = recording.sites.front();
+    auto const placed = std::find_if(recording.sites.begin(), recording.sites.end(), [](Site const& site) { return site.lat_deg.has_value(); });
+    Site const& first = placed == recording.sites.end() ? recording.sites.front() : *placed;
     core::Place place{first.lat_deg.value_or(0.0), first.lon_deg.value_or(0.0), first.elevation_m.value_or(0.0)};
     if (!wish) return place;
     place.lat_deg = wish->lat_deg;
     place.lon_deg = wish->lon_deg;
     double nearest = 1e300;
     for (Site const& site : recording.sites) {
-        double const north = site.lat_deg.value_or(place.lat_deg) - place.lat_deg;
-        double const east = turn(site.lon_deg.value_or(place.lon_deg) - place.lon_deg) * core::cos(core::radians(place.lat_deg));
+        if (!site.lat_deg || !site.lon_deg) continue;
+        double const north = *site.lat_deg - place.lat_deg;
+        double const east = turn(*site.lon_deg - place.lon_deg) * core::cos(core::radians(place.lat_deg));
         if (north * north + east * east >= nearest) continue;
         nearest = north * north + east * east;
         place.altitude_m = site.elevation_m.value_or(0.0);
@@ -449,6 +460,7 @@ void Field::Data::listReports() {
 /// From recording, origin and place to all the rest.
 void Field::Data::build() {
     for (Site const& site : recording.sites) sites.push_back(siteData(site, place));
+    setApart(recording.sites, sites);
     findFronts();
     for (SiteData& site : sites) drawCurves(site);
     start = end = sites.front().times.front();

@@ -60,12 +60,14 @@ Spot pointOf(GribGrid const& grid, std::size_t column, std::size_t row) { return
 void choosePlace(Grib& grib, GribGrid const& grid, std::optional<PlaceWish> const& wish, std::string const& message) {
     Spot spot{wish.value_or(kBasel).lat_deg, wish.value_or(kBasel).lon_deg};
     if (wish && !isWithin(grid, spot))
-        throw core::Error(grib.file, message, fmt::format("expected a grid over the place {}, found {} to {}", coordinateName(spot.lat_deg, spot.lon_deg),
-                                                          coordinateName(grid.lat0, grid.lonOf(0)),
-                                                          coordinateName(grid.latOf(grid.rows - 1), grid.lonOf(grid.columns - 1))));
+        throw core::Error(
+            grib.file, message,
+            fmt::format("expected a grid over the place {}, found {} to {}", coordinateName(spot.lat_deg, spot.lon_deg),
+                        coordinateName(grid.lat0, grid.lonOf(0)), coordinateName(grid.latOf(grid.rows - 1), grid.lonOf(grid.columns - 1))));
     if (!isWithin(grid, spot)) spot = pointOf(grid, grid.columns / 2, grid.rows / 2);
     auto const within = *grid.spotOf(spot.lat_deg, spot.lon_deg);
-    auto const column = static_cast<std::size_t>(std::floor(within.column + 0.5)) % grid.columns, row = static_cast<std::size_t>(std::floor(within.row + 0.5));
+    auto const column = static_cast<std::size_t>(std::floor(within.column + 0.5)) % grid.columns,
+               row = static_cast<std::size_t>(std::floor(within.row + 0.5));
     if (!wish) spot = pointOf(grid, column, row);
     grib.spots.push_back(spot);
     grib.where = coordinateName(spot.lat_deg, spot.lon_deg) + (wish ? "" : " (no place was asked for)");
@@ -104,7 +106,9 @@ public:
             if (sample.instant && sample.time == time && sample.values[site_]) return sample.values[site_];
         return std::nullopt;
     }
-    std::optional<double> instant(GribQuantity quantity, core::UtcSeconds time) const { return instant(Series{quantity, GribLevel::Ground, 0.0}, time); }
+    std::optional<double> instant(GribQuantity quantity, core::UtcSeconds time) const {
+        return instant(Series{quantity, GribLevel::Ground, 0.0}, time);
+    }
 
     /// The first that is known at any time: of what does not change.
     std::optional<double> ever(GribQuantity quantity) const {
@@ -123,7 +127,8 @@ public:
     std::optional<Step> step(GribQuantity quantity, core::UtcSeconds time, Of of) const {
         Sample const* last = nullptr;
         for (Sample const& sample : samples({quantity, GribLevel::Ground, 0.0}))
-            if (!sample.instant && sample.time == time && sample.from < time && sample.values[site_] && (!last || sample.from > last->from)) last = &sample;
+            if (!sample.instant && sample.time == time && sample.from < time && sample.values[site_] && (!last || sample.from > last->from))
+                last = &sample;
         if (!last) return std::nullopt;
         Sample const* before = nullptr;
         for (Sample const& sample : samples({quantity, GribLevel::Ground, 0.0}))
@@ -240,8 +245,9 @@ void addLayers(SiteView const& view, core::UtcSeconds time, Report& report) {
     };
     std::vector<ReportedLayer> layers;
     bool anyBase = false;
-    for (Row const& row : {Row{GribQuantity::BaseLow, GribQuantity::TopLow, report.coverLow}, Row{GribQuantity::BaseMid, GribQuantity::TopMid, report.coverMid},
-                           Row{GribQuantity::BaseHigh, GribQuantity::TopHigh, report.coverHigh}}) {
+    for (Row const& row :
+         {Row{GribQuantity::BaseLow, GribQuantity::TopLow, report.coverLow}, Row{GribQuantity::BaseMid, GribQuantity::TopMid, report.coverMid},
+          Row{GribQuantity::BaseHigh, GribQuantity::TopHigh, report.coverHigh}}) {
         if (!row.cover) return;
         if (*row.cover < 0.01) continue;
         ReportedLayer layer{{}, row.cover, altitude(row.base), altitude(row.top)};
@@ -262,7 +268,8 @@ void addLevels(SiteView const& view, core::UtcSeconds time, std::optional<double
         if (kind == GribLevel::AboveSea) altitude = value;
         if (kind == GribLevel::AboveGround && elevation) altitude = *elevation + value;
         if (kind == GribLevel::Pressure) altitude = at(GribQuantity::Height);
-        if (auto const geopotential = at(GribQuantity::Geopotential); kind == GribLevel::Pressure && !altitude && geopotential) altitude = *geopotential / kGravity;
+        if (auto const geopotential = at(GribQuantity::Geopotential); kind == GribLevel::Pressure && !altitude && geopotential)
+            altitude = *geopotential / kGravity;
         if (!altitude || *altitude < kAltitude.low || *altitude > kAltitude.high) continue;
         ReportedLevel level{*altitude, celsius(at(GribQuantity::Temperature)), {}, {}, {}, within(percent(at(GribQuantity::Cover)), kCover)};
         level.dew_point_c = dewPoint_c(level.temperature_c, percent(at(GribQuantity::Humidity)));

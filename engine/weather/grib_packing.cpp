@@ -32,7 +32,8 @@ std::optional<std::string> simpleMisfit(std::string_view packing, std::string_vi
     if (packing.size() < 21) return "expected a packing section of 21 octets";
     std::size_t const bits = gribNumber(packing, 20, 1);
     if (bits > kMostBits) return fmt::format("expected at most {} bits a value, found {}", kMostBits, bits);
-    if (data.size() < kHead + octets(values * bits)) return fmt::format("expected {} octets of data, found {}", octets(values * bits), data.size() - kHead);
+    if (data.size() < kHead + octets(values * bits))
+        return fmt::format("expected {} octets of data, found {}", octets(values * bits), data.size() - kHead);
     return std::nullopt;
 }
 
@@ -58,7 +59,8 @@ std::optional<std::string> groupsMisfit(Groups const& g, std::string_view data, 
         bits += each * count;
     }
     if (sum != values) return fmt::format("expected groups of {} values together, found {}", values, sum);
-    if (data.size() < packed + octets(bits)) return fmt::format("expected {} octets of data, found {}", packed - kHead + octets(bits), data.size() - kHead);
+    if (data.size() < packed + octets(bits))
+        return fmt::format("expected {} octets of data, found {}", packed - kHead + octets(bits), data.size() - kHead);
     return std::nullopt;
 }
 
@@ -69,7 +71,8 @@ std::optional<std::string> complexMisfit(std::string_view packing, std::string_v
     std::size_t extra = 0;
     if (differences) {
         std::size_t const order = at(48, 1), each = at(49, 1);
-        if (order < 1 || order > 2 || each < 1 || each > 4 || order > values) return fmt::format("expected differences of order 1 or 2 in 1 to 4 octets, found {} in {}", order, each);
+        if (order < 1 || order > 2 || each < 1 || each > 4 || order > values)
+            return fmt::format("expected differences of order 1 or 2 in 1 to 4 octets, found {} in {}", order, each);
         extra = (order + 1) * each;
     }
     return groupsMisfit({at(32, 4), at(20, 1), at(36, 1), at(37, 1), at(38, 4), at(42, 1), at(43, 4), at(47, 1), extra}, data, values);

@@ -130,8 +130,8 @@ std::optional<GribMeaning> gribMeaning(GribField const& field) {
     if (field.discipline != 0 || !kind || (field.number >= 192 && field.centre != kNcep)) return std::nullopt;
     if (auto const cover = coverBetween(field)) return GribMeaning{*cover, GribLevel::Pressure};
     for (Row const& row : kRows)
-        if (row.category == field.category && row.number == field.number && (row.surface == kAny || row.surface == field.first.type) && row.kind == *kind &&
-            (row.height == 0.0 || row.height == field.first.value))
+        if (row.category == field.category && row.number == field.number && (row.surface == kAny || row.surface == field.first.type) &&
+            row.kind == *kind && (row.height == 0.0 || row.height == field.first.value))
             return GribMeaning{row.quantity};
     auto const level = levelOf(field);
     if (!level || *kind != Kind::Instant) return std::nullopt;

@@ -93,8 +93,15 @@ GribGrid readGrid(Where const& where, std::string_view section) {
     if (form != 0 || gribNumber(section, 6, 1) != 0 || gribNumber(section, 11, 1) != 0)
         where.fail(fmt::format("expected a regular grid of latitudes and longitudes (template 0), found template {}", form));
     if (section.size() < 72) where.fail("expected a grid section of 72 octets");
-    GribGrid grid{gribNumber(section, 31, 4), gribNumber(section, 35, 4), signedNumber(section, 47, 4) * kMicro, signedNumber(section, 51, 4) * kMicro, 0, 0, false};
-    if (grid.columns == 0 || grid.rows == 0 || points > kMostPoints || grid.columns > kMostPoints || grid.rows > kMostPoints || grid.points() != points)
+    GribGrid grid{gribNumber(section, 31, 4),
+                  gribNumber(section, 35, 4),
+                  signedNumber(section, 47, 4) * kMicro,
+                  signedNumber(section, 51, 4) * kMicro,
+                  0,
+                  0,
+                  false};
+    if (grid.columns == 0 || grid.rows == 0 || points > kMostPoints || grid.columns > kMostPoints || grid.rows > kMostPoints ||
+        grid.points() != points)
         where.fail(fmt::format("expected a grid of 1 to {} points, found {} x {}", kMostPoints, grid.columns, grid.rows));
     std::size_t const angle = gribNumber(section, 39, 4), scan = gribNumber(section, 72, 1);
     if (angle != 0 && angle != 0xFFFFFFFFu) where.fail("expected angles in millionths of a degree");
@@ -129,7 +136,8 @@ void appendNumber(std::string& text, std::size_t value, int count) {
 /// The field's sections as a message of its own.
 std::string Message::alone() const {
     std::size_t size = 16 + 4;
-    for (std::size_t i = 1; i < 8; ++i) size += i == 6 && !lastBitmap.empty() && gribNumber(sections[6], 6, 1) == 254 ? lastBitmap.size() : sections[i].size();
+    for (std::size_t i = 1; i < 8; ++i)
+        size += i == 6 && !lastBitmap.empty() && gribNumber(sections[6], 6, 1) == 254 ? lastBitmap.size() : sections[i].size();
     std::string text{bytes.substr(0, 8)};
     appendNumber(text, size, 8);
     for (std::size_t i = 1; i < 8; ++i) text += i == 6 && gribNumber(sections[6], 6, 1) == 254 ? lastBitmap : sections[i];
@@ -151,8 +159,10 @@ void takeField(Message const& message, std::function<bool(GribField const&)> con
     field.grid = readGrid(where, message.sections[3]);
     if (message.sections[6].size() < 6) where.fail("expected a bitmap section of 6 octets");
     std::size_t const indicator = gribNumber(message.sections[6], 6, 1);
-    if (indicator != 0 && indicator != 255 && (indicator != 254 || message.lastBitmap.empty())) where.fail("expected a bitmap of the message's own or none");
-    auto const misfit = gribMisfit(message.sections[5], indicator == 254 ? message.lastBitmap : message.sections[6], message.sections[7], field.grid.points());
+    if (indicator != 0 && indicator != 255 && (indicator != 254 || message.lastBitmap.empty()))
+        where.fail("expected a bitmap of the message's own or none");
+    auto const misfit =
+        gribMisfit(message.sections[5], indicator == 254 ? message.lastBitmap : message.sections[6], message.sections[7], field.grid.points());
     if (misfit) where.fail(*misfit);
     field.message = message.alone();
     take(field);

@@ -13,6 +13,7 @@ constexpr double kCavokHeight = 1524.0;      // m: 5,000 ft
 constexpr double kClearHeight = 3657.6;      // m: 12,000 ft, as far as American automatic stations look
 constexpr std::size_t kMostClouds = 16;      // as many layers as a recording takes
 constexpr std::size_t kMostWeather = 16;
+constexpr int kMostFallen = 900;             // hundredths of an inch in an hour
 
 struct Token {
     std::string_view text;
@@ -78,8 +79,7 @@ std::size_t takeMarker(Walk& walk) {
     std::string_view const word = walk.word();
     if (word == "AUTO") walk.metar.automatic = true;
     else if (word == "COR" || (word.size() == 3 && word.starts_with("CC") && word[2] >= 'A' && word[2] <= 'Z')) walk.metar.corrected = true;
-    else if (word == "NIL") walk.metar.nil = true;
-    else if (word != "RTD" && word != "NOSIG") return 0;
+    else if (word != "NIL" && word != "RTD" && word != "NOSIG") return 0;
     return 1;
 }
 
@@ -102,7 +102,7 @@ std::size_t takeSector(Walk& walk) { return isMetarSector(walk.word()) ? 1 : 0; 
 
 std::size_t takeCavok(Walk& walk) {
     if (walk.word() != "CAVOK") return 0;
-    walk.metar.cavok = walk.visibilitySeen = true;
+    walk.visibilitySeen = true;
     walk.metar.visibility = {10000.0, true, false};
     if (!walk.metar.clouds) {
         walk.metar.clouds.emplace();
@@ -311,7 +311,10 @@ void readRemark(Walk& walk) {
     if (word == "PWINO") metar.weatherBlind = true;
     if (auto const tenths = metarTenths(word)) metar.tenths = *tenths;
     if (auto const tenths = codedNumber(word, "SLP", 3)) metar.seaLevel = tenths;
-    if (auto const hundredths = american ? codedNumber(word, "P", 4) : std::nullopt) metar.fallen_mm = *hundredths * 0.254;
+    if (auto const hundredths = american ? codedNumber(word, "P", 4) : std::nullopt) {
+        if (*hundredths <= kMostFallen) metar.fallen_mm = *hundredths * 0.254;
+        else walk.note(1, "is no amount of an hour");
+    }
     // Where the body has no Q, the pressure may stand here (Japan writes both).
     if (auto const pressure = metarPressure(word); pressure && !metar.pressure_hpa) metar.pressure_hpa = pressure->pressure_hpa;
     for (MetarGenus const& genus : metarGenera(word)) metar.genera.push_back(genus);

@@ -25,12 +25,11 @@ struct MetarTime {
 struct Metar {
     std::string station;
     std::optional<MetarTime> time;  // none: not written, or not a time
-    bool corrected = false, automatic = false, nil = false;
+    bool corrected = false, automatic = false;
     MetarWind wind;
     MetarVisibility visibility;
     std::vector<MetarWeather> weather;     // present weather, as listed
     bool weatherMissing = false;           // "//", or a text in its place that cannot be read
-    bool cavok = false;
     std::optional<std::vector<MetarCloud>> clouds;  // none: nothing said; empty: none up to cloudsTo_m
     std::optional<double> cloudsTo_m;               // none: the whole sky
     bool obscured = false;                 // VV: the sky cannot be seen

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/error.h"
 #include "engine/core/time.h"
+#include "engine/weather/json_body.h"
 #include "engine/weather/metar_gather.h"
 #include "engine/weather/metar_scan.h"
 
@@ -246,8 +246,7 @@ bool looksLikeMetarJson(std::string_view bytes) {
 }
 
 Recording parseMetarJson(std::string_view bytes, std::string const& file, SourceContext const& context) {
-    Json const parsed = Json::parse(bytes, nullptr, false);
-    if (parsed.is_discarded()) throw core::Error(file, "", "expected well-formed JSON to the end of the file");
+    Json const parsed = parseJson(bytes, file, "METAR as JSON of aviationweather.gov");
     Json const list = parsed.is_array() ? parsed : Json::array({parsed});
     MetarGathering gathering{file, context};
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMostMetars = 100000;  // of one file: a day of the whole world, or ten years of a station
 constexpr std::size_t kMostStations = 10000;
 constexpr std::size_t kMostNotes = 1000;
+constexpr std::size_t kLongestMetar = 8192;  // bytes
 constexpr double kDay = 86400.0;
 
 struct Month {
@@ -101,7 +102,7 @@ std::optional<core::UtcSeconds> MetarGathering::timeOf(Metar const& metar, Metar
 }
 
 void MetarGathering::add(std::string_view text, MetarPlace const& place, MetarHints const& hints) {
-    auto const metar = decodeMetar(text);
+    auto const metar = text.size() <= kLongestMetar ? decodeMetar(text) : std::nullopt;
     if (!metar) return note(place, fmt::format("{} is no METAR", quoted(text)));
     if (gathered_.size() == kMostMetars) throw core::Error(file_, placeText(place, {}, 0), fmt::format("expected at most {} reports", kMostMetars));
     for (MetarNote const& said : metar->notes) {

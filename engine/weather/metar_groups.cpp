@@ -11,6 +11,8 @@ constexpr double kKnot = 1852.0 / 3600.0;         // m/s
 constexpr double kMile = 1609.344;                // m, statute
 constexpr double kHundredFeet = 30.48;            // m
 constexpr double kInchOfMercury = 33.86389;       // hPa (ISO 80000-4: conventional inch of mercury)
+constexpr int kHighestCloud = 500;                // hundreds of feet; more is an error of writing
+constexpr int kHottestTenths = 650;               // tenths of a degree
 constexpr double kStrongestWind = 150.0;          // m/s; more is an error of writing
 constexpr double kLeastPressure = 850.0, kMostPressure = 1090.0;  // hPa at sea level; the records are 870 and 1085
 
@@ -207,12 +209,12 @@ std::optional<MetarCloud> metarCloud(std::string_view group) {
     MetarCloud cloud;
     cloud.amount = takeAmount(scan);
     if (!cloud.amount && !scan.take("///")) return std::nullopt;
-    if (!scan.take("///"))
-        if (auto const height = scan.exactly(3)) cloud.height_m = *height * kHundredFeet;
+    auto const height = scan.take("///") ? std::nullopt : scan.exactly(3);
+    if (height) cloud.height_m = *height * kHundredFeet;
     if (scan.take("CB")) cloud.genus = Genus::Cb;
     else if (scan.take("TCU")) cloud.genus = Genus::Cu;
     else cloud.typeHidden = scan.take("///");
-    if (!scan.done() || group == "///") return std::nullopt;
+    if (!scan.done() || group == "///" || height.value_or(0) > kHighestCloud) return std::nullopt;
     return cloud;
 }
 
@@ -221,7 +223,7 @@ std::optional<MetarVertical> metarVertical(std::string_view group) {
     if (!scan.take("VV")) return std::nullopt;
     if (scan.rest() == "///") return MetarVertical{};
     auto const height = scan.digits(3, 3);
-    if (!height || !scan.done()) return std::nullopt;
+    if (!height || !scan.done() || *height > kHighestCloud) return std::nullopt;
     return MetarVertical{*height * kHundredFeet};
 }
 
@@ -231,7 +233,7 @@ std::optional<MetarTemperature> metarTemperature(std::string_view group) {
     MetarTemperature read;
     if (!takeDegrees(scan, read.temperature_c) || !scan.take("/")) return std::nullopt;
     if (!takeDegrees(scan, read.dew_point_c) || !scan.done() || group.size() < 3) return std::nullopt;
-    if (read.temperature_c.value_or(0.0) > 65.0 || read.dew_point_c.value_or(0.0) > 65.0) return std::nullopt;
+    if (read.temperature_c.value_or(0.0) * 10.0 > kHottestTenths || read.dew_point_c.value_or(0.0) * 10.0 > kHottestTenths) return std::nullopt;
     return read;
 }
 
@@ -310,7 +312,7 @@ std::optional<MetarTemperature> metarTenths(std::string_view group) {
     auto const tenths = [&scan]() -> std::optional<double> {
         auto const sign = scan.takeOneOf({"0", "1"});
         auto const value = sign ? scan.exactly(3) : std::nullopt;
-        if (!value) return std::nullopt;
+        if (!value || (*sign == 0 && *value > kHottestTenths)) return std::nullopt;
         return (*sign == 1 && *value > 0 ? -*value : *value) / 10.0;
     };
     MetarTemperature read;

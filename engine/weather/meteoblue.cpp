@@ -63,7 +63,8 @@ Column columnOf(Json const& values, Json const& units, Variable const& variable,
     if (unit != units.end() && unit->is_string()) name = unit->get<std::string>();
     auto const known = unitNamed(variable.quantity, name);
     if (!known)
-        throw core::Error(file, fmt::format("units.{}", variable.unitKey), fmt::format("expected a unit ({}), found \"{}\"", unitNames(variable.quantity), oneLine(name, 40)));
+        throw core::Error(file, fmt::format("units.{}", variable.unitKey),
+                          fmt::format("expected a unit ({}), found \"{}\"", unitNames(variable.quantity), oneLine(name, 40)));
     column.unit = *known;
     return column;
 }
@@ -103,14 +104,16 @@ std::optional<core::UtcSeconds> timeOf(Json const& json, double offset, bool& lo
 /// Local times step by no or two hours where summer time ends or begins: an hour all the same.
 std::vector<core::UtcSeconds> timesOf(Json const& json, double offset, std::string const& file) {
     if (!json.is_array() || json.empty()) throw core::Error(file, "data_1h.time", "expected an array of times");
-    if (json.size() > kMostReports) throw core::Error(file, "data_1h.time", fmt::format("expected at most {} times, found {}", kMostReports, json.size()));
+    if (json.size() > kMostReports)
+        throw core::Error(file, "data_1h.time", fmt::format("expected at most {} times, found {}", kMostReports, json.size()));
     std::vector<core::UtcSeconds> times;
     double shift = 0.0;
     for (std::size_t i = 0; i < json.size(); ++i) {
         std::string const place = fmt::format("data_1h.time[{}]", i);
         bool local = false;
         auto time = timeOf(json[i], offset, local);
-        if (!time) throw core::Error(file, place, "expected a time such as \"2026-04-20 00:00\", \"2026-04-20T00:00+02:00\" or milliseconds since 1970");
+        if (!time)
+            throw core::Error(file, place, "expected a time such as \"2026-04-20 00:00\", \"2026-04-20T00:00+02:00\" or milliseconds since 1970");
         *time += shift;
         if (local && i > 0 && (*time == times[i - 1] || *time == times[i - 1] + 2.0 * kHour)) {
             shift += times[i - 1] + kHour - *time;
@@ -166,7 +169,8 @@ void refuseError(Json const& json, std::string const& file) {
 
 Json const& objectAt(Json const& json, char const* key, std::string const& file) {
     auto const found = json.find(key);
-    if (found == json.end() || !found->is_object()) throw core::Error(file, key, fmt::format("expected an object \"{}\" of meteoblue's basic-1h or clouds-1h", key));
+    if (found == json.end() || !found->is_object())
+        throw core::Error(file, key, fmt::format("expected an object \"{}\" of meteoblue's basic-1h or clouds-1h", key));
     return *found;
 }
 }  // namespace
@@ -178,8 +182,8 @@ std::string meteoblueUrl(std::string const& base, std::string const& key, double
         bool const plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
         safe += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
-    return fmt::format("{}{}lat={:.4f}&lon={:.4f}{}&timeformat=iso8601&format=json&apikey={}", base, base.find('?') == base.npos ? '?' : '&', lat_deg, lon_deg,
-                       altitude_m ? fmt::format("&asl={:.0f}", *altitude_m) : "", safe);
+    return fmt::format("{}{}lat={:.4f}&lon={:.4f}{}&timeformat=iso8601&format=json&apikey={}", base, base.find('?') == base.npos ? '?' : '&', lat_deg,
+                       lon_deg, altitude_m ? fmt::format("&asl={:.0f}", *altitude_m) : "", safe);
 }
 
 bool looksLikeMeteoblue(std::string_view bytes) {

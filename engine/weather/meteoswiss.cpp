@@ -15,7 +15,8 @@
 namespace luftpost::weather {
 namespace {
 constexpr double kTenMinutes = 600.0;
-constexpr Range kPercent{0.0, 120.0}, kKilometresAnHour{0.0, 540.0}, kMillimetres{0.0, 300.0}, kCentimetres{0.0, 5000.0}, kStationPressure{300.0, 1100.0};
+constexpr Range kPercent{0.0, 120.0}, kKilometresAnHour{0.0, 540.0}, kMillimetres{0.0, 300.0}, kCentimetres{0.0, 5000.0},
+    kStationPressure{300.0, 1100.0};
 
 /// MeteoSwiss' list of stations (ogd-smn_meta_stations.csv): coordinates and height of the station.
 constexpr std::array kStations{
@@ -37,18 +38,22 @@ bool anyIn(CsvTable const& table, std::vector<std::size_t> const& rows, std::str
     return std::any_of(rows.begin(), rows.end(), [&](std::size_t row) { return !table.text(row, column).empty() && table.text(row, column) != "-"; });
 }
 
+/// The first of the names whose column the rows fill.
+std::string_view filledAmong(CsvTable const& table, std::vector<std::size_t> const& rows, std::initializer_list<std::string_view> names) {
+    for (std::string_view const name : names)
+        if (table.has(name) && anyIn(table, rows, name)) return name;
+    return {};
+}
+
 /// One station's rows, and which of several columns of the same quantity it fills.
 struct Station {
     CsvTable const& table;
     std::string_view timeColumn;
-    std::vector<std::size_t> rows;
+    std::vector<std::size_t> const& rows;
     std::optional<double> elevation;
-
-    std::string_view first(std::initializer_list<std::string_view> names) const {
-        for (std::string_view const name : names)
-            if (anyIn(table, rows, name)) return name;
-        return {};
-    }
+    std::string_view speed = filledAmong(table, rows, {"fkl010z0", "fu3010z0", "fve010z0"});
+    std::string_view gust = filledAmong(table, rows, {"fkl010z3", "fu3010z3", "fkl010z1", "fu3010z1"});
+    std::string_view pressure = filledAmong(table, rows, {"pp0qffs0", "pp0qnhs0"});
 };
 
 /// A wind in m/s from a column in m/s or, by its name, km/h.
@@ -60,8 +65,8 @@ std::optional<double> speedAt(Station const& station, std::size_t row, std::stri
 
 void addPressure(Station const& station, std::size_t row, Report& report) {
     CsvTable const& table = station.table;
-    if (std::string_view const reduced = station.first({"pp0qffs0", "pp0qnhs0"}); !reduced.empty()) {
-        report.pressure_hpa = table.number(row, reduced, kPressure);
+    if (!station.pressure.empty()) {
+        report.pressure_hpa = table.number(row, station.pressure, kPressure);
         return;
     }
     auto const own = table.number(row, "prestas0", kStationPressure);
@@ -72,8 +77,8 @@ Report reportOf(Station const& station, std::size_t row, core::UtcSeconds time) 
     CsvTable const& table = station.table;
     Report report;
     report.time = time;
-    setWind(speedAt(station, row, station.first({"fkl010z0", "fu3010z0", "fve010z0"})), table.number(row, "dkl010z0", kDegrees), report.speed_mps, report.from_deg);
-    report.gust_mps = speedAt(station, row, station.first({"fkl010z3", "fu3010z3", "fkl010z1", "fu3010z1"}));
+    setWind(speedAt(station, row, station.speed), table.number(row, "dkl010z0", kDegrees), report.speed_mps, report.from_deg);
+    report.gust_mps = speedAt(station, row, station.gust);
     report.temperature_c = table.number(row, "tre200s0", kTemperature);
     report.dew_point_c = table.number(row, "tde200s0", kDewPoint);
     if (auto const humidity = table.number(row, "ure200s0", kPercent); humidity && !report.dew_point_c)
@@ -90,7 +95,8 @@ Report reportOf(Station const& station, std::size_t row, core::UtcSeconds time) 
     return report;
 }
 
-Site siteOf(Station station, std::string_view abbreviation) {
+/// `rowOf` gets the row of each report.
+Site siteOf(Station station, std::string_view abbreviation, std::vector<std::size_t>& rowOf) {
     Site site;
     auto const known = swissStation(abbreviation);
     site.name = known ? known->name : oneLine(abbreviation, 60);
@@ -101,15 +107,21 @@ Site siteOf(Station station, std::string_view abbreviation) {
         auto const time = swissTime(station.table.text(row, station.timeColumn));
         std::string const place = station.table.place(row, station.timeColumn);
         if (!time) throw core::Error(station.table.file(), place, "expected a time such as \"21.06.2023 00:10\" or \"20230621001000\"");
-        if (!byTime.emplace(*time, row).second) throw core::Error(station.table.file(), place, fmt::format("expected {} once for {}", core::formatUtc(*time), site.name));
+        if (!byTime.emplace(*time, row).second)
+            throw core::Error(station.table.file(), place, fmt::format("expected {} once for {}", core::formatUtc(*time), site.name));
     }
-    for (auto const& [time, row] : byTime) site.reports.push_back(reportOf(station, row, time));
-    keepWhatSpeaks(site.reports);
+    for (auto const& [time, row] : byTime) {
+        Report report = reportOf(station, row, time);
+        if (!saysSomething(report)) continue;
+        site.reports.push_back(std::move(report));
+        rowOf.push_back(row);
+    }
     return site;
 }
 
 bool isTenMinutes(std::string_view heading) {
-    bool const station = heading.find("nat_abbr") != heading.npos || heading.find("station_abbr") != heading.npos || heading.starts_with("Station/Location;");
+    bool const station =
+        heading.find("nat_abbr") != heading.npos || heading.find("station_abbr") != heading.npos || heading.starts_with("Station/Location;");
     bool parameter = false;
     for (std::string_view const name : {"tre200s0", "dkl010z0", "fkl010z0", "rre150z0", "gre000z0", "prestas0", "pp0qffs0", "fu3010z0"})
         parameter = parameter || heading.find(name) != heading.npos;
@@ -141,7 +153,8 @@ Recording parseTenMinutes(std::string_view bytes, std::string const& file) {
     CsvTable const table{bytes, ';', 0, file};
     std::string_view const stationColumn = columnAmong(table, {"nat_abbr", "station_abbr", "Station/Location"});
     std::string_view const timeColumn = columnAmong(table, {"termin", "reference_timestamp", "Date"});
-    if (stationColumn.empty() || timeColumn.empty()) throw core::Error(file, "line 1", "expected columns of a station and a time (termin or reference_timestamp)");
+    if (stationColumn.empty() || timeColumn.empty())
+        throw core::Error(file, "line 1", "expected columns of a station and a time (termin or reference_timestamp)");
     std::vector<std::string_view> order;
     std::map<std::string_view, std::vector<std::size_t>> rows;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -150,13 +163,18 @@ Recording parseTenMinutes(std::string_view bytes, std::string const& file) {
         auto& own = rows[name];
         if (own.empty()) order.push_back(name);
         own.push_back(row);
-        if (order.size() > kMostSites) throw core::Error(file, table.place(row, stationColumn), fmt::format("expected at most {} stations", kMostSites));
+        if (order.size() > kMostSites)
+            throw core::Error(file, table.place(row, stationColumn), fmt::format("expected at most {} stations", kMostSites));
     }
     Recording recording{file, {}, "MeteoSwiss (automatic stations)", "Source: MeteoSwiss (open data)", sha256Hex(bytes), {}, {}};
+    std::map<std::size_t, ListedReport> listed;
     for (std::string_view const name : order) {
-        Site site = siteOf({table, timeColumn, rows[name], {}}, name);
+        std::vector<std::size_t> rowOf;
+        Site site = siteOf({.table = table, .timeColumn = timeColumn, .rows = rows[name], .elevation = {}}, name, rowOf);
+        for (std::size_t i = 0; i < rowOf.size(); ++i) listed[rowOf[i]] = {recording.sites.size(), i, false};
         if (!site.reports.empty()) recording.sites.push_back(std::move(site));
     }
+    for (auto const& [row, report] : listed) recording.order.push_back(report);
     checkCounts(recording.sites, file);
     if (recording.sites.empty()) throw core::Error(file, "", "expected at least one row with a value that is read here");
     Site const& first = recording.sites.front();

@@ -92,7 +92,8 @@ Recording parseObserver(std::string_view bytes, std::string const& file) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         auto const time = swissTime(table.text(row, "termin_utc"));
         if (!time) throw core::Error(file, table.place(row, "termin_utc"), "expected a time such as \"20230622174000\"");
-        if (!site.reports.empty() && *time <= site.reports.back().time) throw core::Error(file, table.place(row, "termin_utc"), "expected a time after the row before");
+        if (!site.reports.empty() && *time <= site.reports.back().time)
+            throw core::Error(file, table.place(row, "termin_utc"), "expected a time after the row before");
         site.reports.push_back(reportOf(table, row, *time));
     }
     keepWhatSpeaks(site.reports);

@@ -12,7 +12,8 @@
 namespace luftpost::weather {
 namespace {
 constexpr std::string_view kTime = "zzzztttt", kStation = "IIiii", kKind = "zxltcos0", kLatitudeColumn = "yloclas0", kLongitudeColumn = "yloclos0",
-                           kPressureColumn = "zreppps0", kHeight = "zreppzs0", kDry = "zrettts0", kDew = "zretdes0", kFrom = "zklddds0", kWind = "zklfffs0";
+                           kPressureColumn = "zreppps0", kHeight = "zreppzs0", kDry = "zrettts0", kDew = "zretdes0", kFrom = "zklddds0",
+                           kWind = "zklfffs0";
 constexpr Range kAirPressure{0.0, 1100.0};
 
 /// The line that names the columns stands under the bulletin's head.
@@ -56,7 +57,8 @@ std::optional<double> freezingLevel(Report const& report) {
     for (ReportedLevel const& level : report.levels) {
         if (!level.temperature_c) continue;
         if (below && *below->temperature_c > 0.0 && *level.temperature_c <= 0.0)
-            return below->altitude_m + (level.altitude_m - below->altitude_m) * *below->temperature_c / (*below->temperature_c - *level.temperature_c);
+            return below->altitude_m +
+                   (level.altitude_m - below->altitude_m) * *below->temperature_c / (*below->temperature_c - *level.temperature_c);
         below = level;
     }
     return std::nullopt;
@@ -93,7 +95,8 @@ Recording parseSounding(std::string_view bytes, std::string const& file) {
     }
     checkCounts(recording.sites, file);
     if (recording.sites.empty()) throw core::Error(file, "", "expected at least one height with a value");
-    recording.name = fmt::format("{}, sounding of {}", recording.sites.front().name, core::formatUtc(recording.sites.front().reports.front().time).substr(0, 13) + "Z");
+    recording.name = fmt::format("{}, sounding of {}", recording.sites.front().name,
+                                 core::formatUtc(recording.sites.front().reports.front().time).substr(0, 13) + "Z");
     return recording;
 }
 }  // namespace luftpost::weather

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 #include <set>
@@ -12,6 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/core/time.h"
 #include "engine/weather/json_body.h"
+#include "engine/weather/open_meteo_keys.h"
 #include "engine/weather/report_parts.h"
 
 namespace luftpost::weather {
@@ -20,115 +20,7 @@ using Json = nlohmann::json;
 
 constexpr double kMostVisible = 24140.0;     // m: where the models' visibility ends, 15 statute miles
 constexpr double kCentimetresOfWater = 0.7;  // cm of fresh snow per mm of water (Open-Meteo's own 7 cm to 10 mm)
-constexpr Range kHumidity{0.0, 1.2}, kWater{0.0, 2000.0}, kSnowfall{0.0, 20.0}, kStationPressure{300.0, 1100.0};
 constexpr double kEarliest = -2208988800.0, kLatest = 4102444800.0;  // 1900 and 2100
-
-/// A variable of one figure an hour. Longer names stand before those that they begin with.
-struct Variable {
-    std::string_view name;
-    Quantity quantity;
-    Range range;
-};
-constexpr std::array kVariables{
-    Variable{"temperature_2m", Quantity::Temperature, kTemperature},
-    Variable{"relative_humidity_2m", Quantity::Share, kHumidity},
-    Variable{"dew_point_2m", Quantity::Temperature, kDewPoint},
-    Variable{"precipitation", Quantity::Water, kWater},
-    Variable{"rain", Quantity::Water, kWater},
-    Variable{"showers", Quantity::Water, kWater},
-    Variable{"snowfall", Quantity::Length, kSnowfall},
-    Variable{"snow_depth", Quantity::Length, kSnowDepth},
-    Variable{"weather_code", Quantity::Code, kWeatherCode},
-    Variable{"pressure_msl", Quantity::Pressure, kPressure},
-    Variable{"surface_pressure", Quantity::Pressure, kStationPressure},
-    Variable{"cloud_cover_low", Quantity::Share, kCover},
-    Variable{"cloud_cover_mid", Quantity::Share, kCover},
-    Variable{"cloud_cover_high", Quantity::Share, kCover},
-    Variable{"cloud_cover", Quantity::Share, kCover},
-    Variable{"visibility", Quantity::Length, kVisibility},
-    Variable{"wind_speed_10m", Quantity::Speed, kSpeed},
-    Variable{"wind_direction_10m", Quantity::Direction, kDegrees},
-    Variable{"wind_gusts_10m", Quantity::Speed, kSpeed},
-    Variable{"cape", Quantity::Energy, kCape},
-    Variable{"freezing_level_height", Quantity::Length, kFreezingLevel},
-    Variable{"shortwave_radiation", Quantity::Flux, kRadiation},
-};
-
-/// A variable of many heights: "wind_speed_850hPa", "temperature_80m".
-constexpr std::array kStems{
-    Variable{"temperature", Quantity::Temperature, kTemperature},
-    Variable{"relative_humidity", Quantity::Share, kHumidity},
-    Variable{"dew_point", Quantity::Temperature, kDewPoint},
-    Variable{"cloud_cover", Quantity::Share, kCover},
-    Variable{"wind_speed", Quantity::Speed, kSpeed},
-    Variable{"wind_direction", Quantity::Direction, kDegrees},
-    Variable{"geopotential_height", Quantity::Length, kAltitude},
-};
-
-/// How the API spelt its variables until October 2023.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kOldSpelling{{
-    {"relativehumidity", "relative_humidity"},
-    {"dewpoint", "dew_point"},
-    {"windspeed", "wind_speed"},
-    {"winddirection", "wind_direction"},
-    {"windgusts", "wind_gusts"},
-    {"cloudcover", "cloud_cover"},
-    {"weathercode", "weather_code"},
-    {"freezinglevel", "freezing_level"},
-}};
-
-/// What may follow a variable's name without being a model: another variable that begins with the same words.
-constexpr std::array<std::string_view, 12> kNotModels{"probability", "height", "water", "instant", "type",   "hours",
-                                                      "previous",    "sum",    "max",   "min",     "spread", "anomaly"};
-
-std::string spelling(std::string_view key) {
-    for (auto const& [old, now] : kOldSpelling)
-        if (key.starts_with(old)) return std::string{now} + std::string{key.substr(old.size())};
-    return std::string{key};
-}
-
-/// A key taken apart: the variable, and the model whose name stands behind it (empty where only one was asked).
-struct Key {
-    std::string variable;
-    Variable row;
-    std::string model;
-};
-
-/// What stands behind a name: nothing, or "_model".
-std::optional<std::string> modelOf(std::string_view rest) {
-    if (rest.empty()) return "";
-    if (rest.size() < 2 || rest.front() != '_') return std::nullopt;
-    rest.remove_prefix(1);
-    if (rest.front() >= '0' && rest.front() <= '9') return std::nullopt;
-    for (std::string_view const word : kNotModels)
-        if (rest.starts_with(word)) return std::nullopt;
-    return std::string{rest};
-}
-
-/// "_850hPa" or "_80m" at the front of what stands behind a stem; `rest` loses it.
-bool takeHeight(std::string_view& rest) {
-    std::size_t i = 1;
-    while (i < rest.size() && rest[i] >= '0' && rest[i] <= '9') ++i;
-    if (rest.empty() || rest.front() != '_' || i == 1 || i > 5) return false;
-    std::string_view const unit = rest.substr(i);
-    std::size_t const length = unit.starts_with("hPa") ? 3 : unit.starts_with("m") ? 1 : 0;
-    if (length == 0) return false;
-    rest = unit.substr(length);
-    return true;
-}
-
-std::optional<Key> keyOf(std::string_view spelt) {
-    for (Variable const& variable : kVariables)
-        if (spelt.starts_with(variable.name))
-            if (auto model = modelOf(spelt.substr(variable.name.size()))) return Key{std::string{variable.name}, variable, std::move(*model)};
-    for (Variable const& stem : kStems) {
-        if (!spelt.starts_with(stem.name)) continue;
-        std::string_view rest = spelt.substr(stem.name.size());
-        if (!takeHeight(rest)) continue;
-        if (auto model = modelOf(rest)) return Key{std::string{spelt.substr(0, spelt.size() - rest.size())}, stem, std::move(*model)};
-    }
-    return std::nullopt;
-}
 
 /// One block ("hourly") of one place as columns by variable.
 struct Block {
@@ -154,19 +46,20 @@ struct Raw {
 
 std::string joined(std::string const& place, std::string_view part) { return place.empty() ? std::string{part} : fmt::format("{}.{}", place, part); }
 
-Column columnOf(Raw const& raw, std::string const& key, Variable const& row) {
+Column columnOf(Raw const& raw, std::string const& key, OpenMeteoVariable const& row) {
     Column column{&raw.arrays.at(key), joined(raw.place, key), {}, row.range};
     auto const unit = raw.units.find(key);
     std::string const name = unit != raw.units.end() && unit->is_string() ? unit->get<std::string>() : "";
     auto const known = unitNamed(row.quantity, name);
     if (!known)
-        throw core::Error(raw.file, joined(raw.place + "_units", key), fmt::format("expected a unit ({}), found \"{}\"", unitNames(row.quantity), oneLine(name, 40)));
+        throw core::Error(raw.file, joined(raw.place + "_units", key),
+                          fmt::format("expected a unit ({}), found \"{}\"", unitNames(row.quantity), oneLine(name, 40)));
     column.unit = *known;
     return column;
 }
 
 /// The models by how many figures they know, the most first.
-std::vector<std::string> rankedModels(Raw const& raw, std::vector<std::pair<std::string, Key>> const& keys) {
+std::vector<std::string> rankedModels(Raw const& raw, std::vector<std::pair<std::string, OpenMeteoKey>> const& keys) {
     std::map<std::string, std::ptrdiff_t> known;
     for (auto const& [key, parts] : keys)
         known[parts.model] += std::count_if(raw.arrays.at(key).begin(), raw.arrays.at(key).end(), [](Json const& value) { return !value.is_null(); });
@@ -177,9 +70,9 @@ std::vector<std::string> rankedModels(Raw const& raw, std::vector<std::pair<std:
 }
 
 void addColumns(Raw const& raw, Block& block) {
-    std::vector<std::pair<std::string, Key>> keys;
+    std::vector<std::pair<std::string, OpenMeteoKey>> keys;
     for (auto const& [key, values] : raw.arrays.items())
-        if (auto parts = keyOf(spelling(key))) {
+        if (auto parts = openMeteoKey(key)) {
             checkArray(values, block.times.size(), raw.file, joined(raw.place, key));
             if (knowsAnything(values)) keys.emplace_back(key, std::move(*parts));
         }
@@ -385,7 +278,8 @@ Recording parseOpenMeteo(std::string_view bytes, std::string const& file) {
     refuseError(json, file);
     bool const several = json.is_array();
     if (several && json.empty()) throw core::Error(file, "", "expected at least one place");
-    if (several && json.size() > kMostSites) throw core::Error(file, "", fmt::format("expected at most {} places, found {}", kMostSites, json.size()));
+    if (several && json.size() > kMostSites)
+        throw core::Error(file, "", fmt::format("expected at most {} places, found {}", kMostSites, json.size()));
     Recording recording;
     std::set<std::string> models;
     for (std::size_t i = 0; i < (several ? json.size() : 1); ++i) {
@@ -394,7 +288,8 @@ Recording parseOpenMeteo(std::string_view bytes, std::string const& file) {
     }
     Site const& first = recording.sites.front();
     recording.file = file;
-    recording.name = fmt::format("Open-Meteo {}{}, {}", first.name, several ? fmt::format(" and {} more", json.size() - 1) : "", dayName(first.reports.front().time));
+    recording.name = fmt::format("Open-Meteo {}{}, {}", first.name, several ? fmt::format(" and {} more", json.size() - 1) : "",
+                                 dayName(first.reports.front().time));
     recording.source = "Open-Meteo (model data)";
     for (std::string const& model : models) recording.source += (model == *models.begin() ? ": " : ", ") + oneLine(model, 60);
     recording.licence = "CC BY 4.0, Weather data by Open-Meteo.com";

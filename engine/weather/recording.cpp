@@ -307,7 +307,7 @@ Recording parseRecording(std::string_view bytes, std::string const& file) {
     if (!json.is_object()) top.failHere("an object with \"format\": \"luftpost-weather-1\"");
     auto const format = top.member("format");
     if (!format || !format->json().is_string() || format->text() != "luftpost-weather-1")
-        throw core::Error(file, "format", "expected \"luftpost-weather-1\"; no other format is read in this version");
+        throw core::Error(file, "format", "expected \"luftpost-weather-1\"");
     top.object({"format", "name", "source", "licence", "sites"});
     recording.file = file;
     recording.name = top.required("name").text();

@@ -17,9 +17,10 @@ constexpr double kZeroCelsius = 273.15, kLapseRate = 0.0065, kExponent = 5.2559;
 
 bool saysSomething(Report const& r) {
     auto const any = [](auto const&... value) { return (value.has_value() || ...); };
-    return !r.levels.empty() || !r.filled.empty() || any(r.speed_mps, r.gust_mps, r.from_deg, r.visibility_m, r.verticalVisibility_m, r.temperature_c, r.dew_point_c,
-                                    r.pressure_hpa, r.precipitationKind, r.rate_mm_h, r.thunder, r.layers, r.coverLow, r.coverMid, r.coverHigh,
-                                    r.coverTotal, r.cape_j_kg, r.freezingLevel_m, r.snowDepth_m, r.radiation_w_m2, r.longwave_w_m2, r.weatherCode);
+    return !r.levels.empty() || !r.filled.empty() ||
+           any(r.speed_mps, r.gust_mps, r.from_deg, r.visibility_m, r.verticalVisibility_m, r.temperature_c, r.dew_point_c, r.pressure_hpa,
+               r.precipitationKind, r.rate_mm_h, r.thunder, r.layers, r.coverLow, r.coverMid, r.coverHigh, r.coverTotal, r.cape_j_kg,
+               r.freezingLevel_m, r.snowDepth_m, r.radiation_w_m2, r.longwave_w_m2, r.weatherCode);
 }
 
 void orderLevels(std::vector<ReportedLevel>& levels, double lowest) {

@@ -8,10 +8,10 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/weather/grib.h"
+#include "engine/weather/metar_files.h"
 #include "engine/weather/meteoblue.h"
 #include "engine/weather/meteoswiss.h"
 #include "engine/weather/open_meteo.h"
-#include "engine/weather/metar_files.h"
 #include "engine/weather/presets.h"
 
 namespace luftpost::weather {
@@ -25,7 +25,12 @@ struct Format {
 
 constexpr std::size_t kMostBytes = 64u << 20;  // no weather is larger
 
-/// In this order; the last takes whatever no other claims, and says what is wrong with it.
+bool looksLikeJson(std::string_view bytes) {
+    auto const first = bytes.find_first_not_of(" \t\r\n");
+    return first != bytes.npos && (bytes[first] == '{' || bytes[first] == '[');
+}
+
+/// In this order; the last takes all JSON that no other claims, and says what is wrong with it.
 constexpr std::array kFormats{
     Format{"GRIB 2", looksLikeGrib,
            [](std::string_view bytes, std::string const& file, SourceContext const& context) { return parseGrib(bytes, file, context.place); }},
@@ -38,20 +43,23 @@ constexpr std::array kFormats{
     Format{"METAR as JSON of aviationweather.gov", looksLikeMetarJson, parseMetarJson},
     Format{"METAR in a table", looksLikeMetarTable, parseMetarTable},
     Format{"METAR as text", looksLikeMetarText, parseMetarText},
-    Format{"a recording (luftpost-weather-1)", [](std::string_view) { return true; },
+    Format{"a recording (luftpost-weather-1)", looksLikeJson,
            [](std::string_view bytes, std::string const& file, SourceContext const&) { return parseRecording(bytes, file); }},
 };
 }  // namespace
 
 SourceContext contextOfNow() {
-    return {std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count()};
+    return {.latest = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count()};
 }
 
 Recording parseSource(std::string_view bytes, std::string const& file, SourceContext const& context) {
-    if (bytes.size() > kMostBytes) throw core::Error(file, "", fmt::format("expected at most {} MiB, found {}", kMostBytes >> 20, bytes.size() >> 20));
+    if (bytes.size() > kMostBytes)
+        throw core::Error(file, "", fmt::format("expected at most {} MiB, found {}", kMostBytes >> 20, bytes.size() >> 20));
     for (Format const& format : kFormats)
         if (format.looksLike(bytes)) return format.parse(bytes, file, context);
-    throw core::Error(file, "", "expected weather in a known format");
+    std::string names;
+    for (Format const& format : kFormats) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+    throw core::Error(file, "", fmt::format("expected weather in one of the formats: {}", names));
 }
 
 Recording readWeather(std::string const& source, std::optional<PlaceWish> const& place, SourceContext const& context) {

@@ -7,12 +7,14 @@
 
 #include "engine/core/frames.h"
 #include "engine/core/math.h"
+#include "engine/weather/ramp.h"
 
 namespace luftpost::weather {
 namespace {
 constexpr double kFoot = core::kMetresPerFoot;
 constexpr double kLow = 1000.0, kHigh = 2000.0, kHighLength = 1750.0;  // ft
 constexpr double kFade = 2000.0;  // m, above 2000 ft: the free air is smoother than the boundary layer
+constexpr double kStableFrom = 50.0, kStableTo = 300.0, kStableLoss = 0.7;  // m above ground; of the rms
 
 /// Height, so that small tables can stand for the powers: MIL-F-8785C's h below 1000 ft.
 double shape(double feet) { return 0.177 + 0.000823 * feet; }
@@ -25,69 +27,92 @@ double severity(double windGround) {
 }
 
 /// The sizes of the noise: distance of its lattice points, m.
-constexpr std::array<double, 6> kSizes{22.0, 55.0, 140.0, 350.0, 880.0, 2200.0};
-/// Mean square of trilinear noise with quintic fades between values uniform on -1..1: (181/231)^3 / 3.
-constexpr double kNoiseSquare = 0.160354;
+constexpr std::array<double, 6> kSizes{9.0, 22.0, 55.0, 140.0, 350.0, 880.0};
+using Shares = std::array<double, kSizes.size()>;
+/// Mean square of the noise, that of values uniform on -1..1.
+constexpr double kNoiseSquare = 1.0 / 3.0;
 
-/// One wave of a lattice of distance d has a length near 2.5 d.
-constexpr double kWavesPerSize = 2.0 * core::kPi / 2.5;
-
-/// Dryden's share of the variance at each size, L k / (1 + (L k)^2) per octave, made to sum to 1; as amplitudes.
-std::array<double, kSizes.size()> amplitudes(double length) {
-    std::array<double, kSizes.size()> shares;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < kSizes.size(); ++i) {
-        double const lk = length * kWavesPerSize / kSizes[i];
-        shares[i] = lk / (1.0 + lk * lk);
-        sum += shares[i];
+/// The amplitude of each size, by the length of the gusts. Such noise is white for waves longer than its lattice and ends below:
+/// shares of the variance near the lattice's distance over the length, cut off where it is longer, sum to Dryden's spectra within a
+/// third from a twentieth of the wave number 1/L up to the smallest size, for lengths above 50 m (fitted; turbulence_test measures it).
+/// Tables in the square root of the length, because the air asks thousands of times a second.
+class Amplitudes {
+public:
+    explicit Amplitudes(bool vertical) {
+        for (std::size_t n = 0; n < kNodes; ++n) nodes_[n] = made(vertical, lengthOf(n));
     }
-    for (double& share : shares) share = std::sqrt(share / (sum * kNoiseSquare));
-    return shares;
-}
+    Shares at(double length) const {
+        double const x = std::clamp(std::sqrt(length) * kPerRoot, 1.0, kNodes - 1.001);
+        auto const n = static_cast<std::size_t>(x);
+        double const u = x - static_cast<double>(n);
+        Shares shares;
+        for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = nodes_[n][i] + (nodes_[n + 1][i] - nodes_[n][i]) * u;
+        return shares;
+    }
 
-std::uint64_t hashed(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
-    std::uint64_t h = seed ^ static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u ^ static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu ^
-                      static_cast<std::uint64_t>(z) * 0x165667B19E3779F9u;
-    h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9u;
-    return h ^ (h >> 32);
-}
-
-/// Three values uniform on -1..1 at a lattice point.
-glm::dvec3 corner(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
-    std::uint64_t const h = hashed(x, y, z, seed);
-    constexpr double kUnit = 2.0 / 2097151.0;
-    return {static_cast<double>(h & 0x1FFFFFu) * kUnit - 1.0, static_cast<double>((h >> 21) & 0x1FFFFFu) * kUnit - 1.0,
-            static_cast<double>((h >> 42) & 0x1FFFFFu) * kUnit - 1.0};
-}
+private:
+    static constexpr std::size_t kNodes = 98;
+    static constexpr double kHorizontalCut = 2.7, kVerticalCut = 1.67;  // lengths
+    static constexpr double kPerRoot = 4.0;  // nodes a root metre: to 580 m
+    static double lengthOf(std::size_t n) {
+        double const root = std::max(static_cast<double>(n), 1.0) / kPerRoot;
+        return root * root;
+    }
+    static Shares made(bool vertical, double length) {
+        Shares shares;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            double const y = kSizes[i] / length, cut = y / (vertical ? kVerticalCut : kHorizontalCut);
+            shares[i] = y * core::exp(-cut * cut * cut);
+            if (i == 0) shares[i] = std::max(shares[i], 1e-30);  // shorter gusts than the smallest size have that
+            sum += shares[i];
+        }
+        for (double& share : shares) share = std::sqrt(share / (sum * kNoiseSquare));
+        return shares;
+    }
+    std::array<Shares, kNodes> nodes_{};
+};
 
 double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
-glm::dvec3 mixed(glm::dvec3 const& a, glm::dvec3 const& b, double u) { return a + (b - a) * u; }
 
+/// Noise between values uniform on -1..1 at the points of a lattice, three components at once. What the mixing of eight values takes from their
+/// variance is given back, so that no altitude is smoother than another.
 glm::dvec3 noise(glm::dvec3 const& p, std::uint64_t seed) {
     glm::dvec3 const whole{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
-    auto const x = static_cast<std::int64_t>(whole.x), y = static_cast<std::int64_t>(whole.y), z = static_cast<std::int64_t>(whole.z);
+    auto const part = [](double n, std::uint64_t factor) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(n)) * factor; };
+    constexpr std::uint64_t kX = 0x9E3779B97F4A7C15u, kY = 0xC2B2AE3D27D4EB4Fu, kZ = 0x165667B19E3779F9u;
+    std::uint64_t const x = part(whole.x, kX), y = part(whole.y, kY), z = part(whole.z, kZ);
     double const u = fade(p.x - whole.x), v = fade(p.y - whole.y), w = fade(p.z - whole.z);
-    glm::dvec3 const below = mixed(mixed(corner(x, y, z, seed), corner(x + 1, y, z, seed), u),
-                                   mixed(corner(x, y, z + 1, seed), corner(x + 1, y, z + 1, seed), u), w);
-    glm::dvec3 const above = mixed(mixed(corner(x, y + 1, z, seed), corner(x + 1, y + 1, z, seed), u),
-                                   mixed(corner(x, y + 1, z + 1, seed), corner(x + 1, y + 1, z + 1, seed), u), w);
-    return mixed(below, above, v);
+    double const along[2]{1.0 - u, u}, up[2]{1.0 - v, v}, across[2]{1.0 - w, w};
+    glm::dvec3 sum{0.0};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        unsigned const i = corner & 1u, j = corner >> 1 & 1u, k = corner >> 2;
+        std::uint64_t h = seed ^ (x + i * kX) ^ (y + j * kY) ^ (z + k * kZ);
+        h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9u;
+        h ^= h >> 32;
+        double const weight = along[i] * up[j] * across[k];
+        auto const value = [h](unsigned from) { return static_cast<double>(static_cast<std::int32_t>(h >> from & 0x1FFFFFu)); };
+        sum += weight * glm::dvec3{value(0), value(21), value(42)};
+    }
+    auto const kept = [](double t) { return t * t + (1.0 - t) * (1.0 - t); };
+    return (sum * (2.0 / 2097151.0) - glm::dvec3{1.0}) / std::sqrt(kept(u) * kept(v) * kept(w));
 }
 }  // namespace
 
-Gustiness drydenGustiness(double windGround, double height, double mixing) {
+Gustiness drydenGustiness(double windGround, double height, AirStability stability) {
     double const feet = std::max(height, 3.0) / kFoot;
     double const low = std::min(feet, kLow);
     double const root = core::pow(shape(low), 0.4);
     Gustiness g;
-    g.sigmaVertical = 0.1 * windGround;
+    double const left = 1.0 - kStableLoss * stability.stable * smooth(kStableFrom, kStableTo, height);
+    g.sigmaVertical = 0.1 * windGround * left;
     g.sigmaHorizontal = g.sigmaVertical / root;
     g.lengthVertical = low * kFoot;
     g.lengthHorizontal = low * kFoot / (root * root * root);
     if (feet <= kLow) return g;
     double const up = std::min((feet - kLow) / (kHigh - kLow), 1.0);
     double const above = std::max(0.0, (feet - kHigh) * kFoot);
-    double const free = mixing * severity(windGround) * core::exp(-above / kFade);
+    double const free = left * stability.mixing * severity(windGround) * core::exp(-above / kFade);
     auto const toward = [up](double a, double b) { return a + (b - a) * up; };
     return {toward(g.sigmaHorizontal, free), toward(g.sigmaVertical, free), toward(g.lengthHorizontal, kHighLength * kFoot),
             toward(g.lengthVertical, kHighLength * kFoot)};
@@ -96,7 +121,8 @@ Gustiness drydenGustiness(double windGround, double height, double mixing) {
 glm::dvec3 gustAt(glm::dvec3 const& point, Gustiness const& g, unsigned seed) {
     glm::dvec3 gust{0.0};
     if (g.sigmaHorizontal <= 0.0 && g.sigmaVertical <= 0.0) return gust;
-    auto const across = amplitudes(g.lengthHorizontal), up = amplitudes(g.lengthVertical);
+    static Amplitudes const horizontal{false}, vertical{true};
+    Shares const across = horizontal.at(g.lengthHorizontal), up = vertical.at(g.lengthVertical);
     for (std::size_t i = 0; i < kSizes.size(); ++i) {
         double const a = g.sigmaHorizontal * across[i], b = g.sigmaVertical * up[i];
         if (a * a + b * b < 1e-6) continue;

@@ -11,6 +11,7 @@ namespace luftpost::app {
 struct FlightPlan {
     WeatherInput weather;       // its source is not empty; with a recording the flight begins in it
     std::string weatherSha256;  // of the recording; empty: a preset
+    core::UtcSeconds weatherLatest = 0.0;  // a METAR's month is the latest such day at or before this
     core::Place place;
     SimulationOptions simulation;
 };

@@ -127,6 +127,7 @@ weather::Field firstField(FlightPlan& plan, CommonOptions& common, RunOptions& r
 
 /// The weather's source, place and hour.
 void planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
+    plan.weatherLatest = feedTime(common);
     weather::Field const field = firstField(plan, common, run);
     bool const preset = field.origin().mode == weather::SourceMode::Preset;
     if (plan.weather.recording.empty())  // so that the replay finds it from any folder

@@ -38,6 +38,7 @@ Json planJson(FlightPlan const& plan) {
     SimulationOptions const& s = plan.simulation;
     return {{"weather", weatherJson(plan.weather)},
             {"weather_sha256", plan.weatherSha256},
+            {"weather_latest_utc", plan.weatherLatest},
             {"place", {plan.place.lat_deg, plan.place.lon_deg, plan.place.altitude_m}},
             {"seed", s.seed},
             {"utc", s.time},
@@ -193,6 +194,7 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     FlightPlan plan;
     plan.weather = weatherFrom(part["weather"]);
     plan.weatherSha256 = part["weather_sha256"].text();
+    plan.weatherLatest = part["weather_latest_utc"].number(kFirstUtc, kLastUtc);
     Part const place = part["place"].list(3);
     plan.place = {place.at(0).number(-90.0, 90.0), place.at(1).number(-180.0, 180.0),
                   place.at(2).number(-500.0, 20000.0)};

@@ -16,6 +16,7 @@
 #include "engine/render/renderer.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
+#include "engine/weather/air.h"
 #include "engine/weather/source.h"
 #include "game/app/colour_comparison.h"
 #include "game/app/commands.h"
@@ -159,6 +160,7 @@ struct Scene {
     unsigned seed;
     core::Place place;
     terrain::Land land;
+    weather::Air air{field, [this](double east, double north) { return land.ground(east, north); }, seed};
     core::UtcSeconds start;
     double eye = 0.0;  // m above sea level
 };
@@ -191,9 +193,7 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.sky = sky::skyState(eye, snapshot.time);
     snapshot.field = &scene.field;
     snapshot.weather = scene.field.at(0.0, 0.0, snapshot.time);
-    glm::dvec2 const wind =
-        scene.field.windAt(0.0, 0.0, scene.eye, scene.land.ground(0.0, 0.0).height, snapshot.time);
-    snapshot.windWorld = {wind.x, 0.0, -wind.y};
+    snapshot.air = scene.air.instant(snapshot.time, snapshot.clouds).at(snapshot.camera.positionWorld);
     return snapshot;
 }
 

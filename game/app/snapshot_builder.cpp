@@ -216,7 +216,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.field = &world.field();
     glm::dvec3 const& eye = view.camera.positionWorld;
     snapshot.weather = world.field().at(eye.x, -eye.z, simulation.utc());
-    snapshot.windWorld = simulation.airNow().at(eye).windWorld;
+    snapshot.air = simulation.airNow().at(eye);
     snapshot.models.push_back(planeInstance(simulation, models, view));
     snapshot.aircraftWorld = snapshot.models.front().positionWorld;
     snapshot.hasAircraft = true;

@@ -89,7 +89,8 @@ void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera
     state.turbulence = readings.turbulence;
     glm::dvec3 const& eye = camera.positionWorld;
     weather::Weather const weather = simulation.world().field().at(eye.x, -eye.z, simulation.utc());
-    state.rain = weather.precipitationRate / kSecondsPerHour;
+    core::AirSample const air = simulation.airNow().at(eye);
+    state.rain = (air.rain + air.hail) / kSecondsPerHour;  // snow is not heard
     noteFlaps(simulation.stick().controls().flaps);
     noteThunder(simulation, weather.thunder && !paused, eye);
     state.stalled = readings.stallHorn;

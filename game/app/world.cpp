@@ -20,8 +20,8 @@ weather::Field nextFieldOf(WeatherInput const& input, weather::Field const& befo
 }
 }  // namespace
 
-World::World(WeatherInput const& weather, core::Place const& place, unsigned seed)
-    : place_{place}, land_{seed, place.altitude_m}, ground_{[this](double east, double north) {
+World::World(WeatherInput const& weather, core::Place const& place, unsigned seed, std::optional<core::UtcSeconds> latest)
+    : place_{place}, latest_{latest}, land_{seed, place.altitude_m}, ground_{[this](double east, double north) {
           return land_.ground(east, north);
       }},
       noise_{noiseVolumes()} {
@@ -31,7 +31,8 @@ World::World(WeatherInput const& weather, core::Place const& place, unsigned see
 
 void World::loadWeather(std::string const& source) {
     if (loaded_.contains(source)) return;
-    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_), sourceContext(weather::contextOfNow().latest)), ground_, land_.seed(), noise_);
+    weather::SourceContext const context = sourceContext(latest_.value_or(weather::contextOfNow().latest));
+    loaded_[source] = std::make_shared<Loaded>(weather::loadWeather(source, wishFor(place_), context), ground_, land_.seed(), noise_);
 }
 
 void World::forgetUnused() {

@@ -19,8 +19,8 @@ namespace luftpost::app {
 class World {
 public:
     /// `weather` as a flight begins: its source is not empty; a recording that it carries is the weather at once.
-    /// Throws core::Error where it cannot be loaded.
-    World(WeatherInput const& weather, core::Place const& place, unsigned seed);
+    /// `latest` tells the month of METARs; none: now. Throws core::Error where it cannot be loaded.
+    World(WeatherInput const& weather, core::Place const& place, unsigned seed, std::optional<core::UtcSeconds> latest = {});
     World(World const&) = delete;
     World& operator=(World const&) = delete;
 
@@ -71,6 +71,7 @@ private:
 
     std::string source_;
     core::Place place_;
+    std::optional<core::UtcSeconds> latest_;
     terrain::Land land_;
     core::GroundFunction ground_;
     weather::NoiseVolumes noise_;

@@ -38,7 +38,7 @@ UNIFORM_BLOCK(FrameBlock, 0) {
     vec4 skyIrradiance;          // rgb: of the whole sky on a horizontal plane
     vec4 groundIrradiance;       // rgb: from below, on a plane that faces down
 
-    vec4 wind;                   // xyz: near the camera, m/s, where the air goes to; w: gust, m/s
+    vec4 wind;                   // xyz: 10 m above the ground, mean, m/s, where the air goes to; w: gust, m/s
     vec4 weather;                // x: visibility, m; y: precipitation, mm/h; z: share of it that is snow; w: wetness of the ground 0..1
     vec4 aircraft;               // xyz: the player's aircraft, relative to the camera; w: 1 when there is one
     mat4 modelShadowFromWorld;   // position relative to the camera -> 0..1 over the map of lib/model_shadow.glsl, z: 1 nearest the light

@@ -1,7 +1,9 @@
 // A seeded mutator over the decoders of model and station data: whatever comes, it is refused in one line or it is a recording that can
-// be saved and read again. LUFTPOST_FUZZ_INPUTS sets how many inputs each decoder gets, LUFTPOST_FUZZ_SEED the seed.
+// be saved and read again. LUFTPOST_FUZZ_INPUTS sets how many inputs each decoder gets, LUFTPOST_FUZZ_SECONDS how long it may take,
+// LUFTPOST_FUZZ_SEED the seed.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -26,8 +28,33 @@ using Random = std::mt19937_64;
 std::size_t below(Random& random, std::size_t bound) { return bound == 0 ? 0 : random() % bound; }
 
 /// What stands for a number, a word or a piece of structure.
-constexpr char const* kPieces[] = {"null", "-1", "1e308", "-1e308", "1e-300", "NaN", "\"\"", "[]", "{}", "true", "0", "999999999999999999999", "\"2024-01-16T09:00\"",
-                                   "1705395600", ";", ",", "\n", "-", "\"", "}", "]", "9", "99.9", "\xff", "inf", "hPa", "202306210010"};
+constexpr char const* kPieces[] = {"null",
+                                   "-1",
+                                   "1e308",
+                                   "-1e308",
+                                   "1e-300",
+                                   "NaN",
+                                   "\"\"",
+                                   "[]",
+                                   "{}",
+                                   "true",
+                                   "0",
+                                   "999999999999999999999",
+                                   "\"2024-01-16T09:00\"",
+                                   "1705395600",
+                                   ";",
+                                   ",",
+                                   "\n",
+                                   "-",
+                                   "\"",
+                                   "}",
+                                   "]",
+                                   "9",
+                                   "99.9",
+                                   "\xff",
+                                   "inf",
+                                   "hPa",
+                                   "202306210010"};
 
 void replaceNumber(std::string& bytes, Random& random) {
     constexpr std::string_view kDigits = "0123456789.-";
@@ -75,10 +102,11 @@ struct Score {
 
 Score fuzz(std::vector<std::string> const& seeds, std::size_t inputs, bool binary) {
     Random random{setting("LUFTPOST_FUZZ_SEED", 1)};
-    SourceContext const context{1.7e9, PlaceWish{47.2, 7.9, {}}};
+    SourceContext const context{.latest = 1.7e9, .place = PlaceWish{47.2, 7.9, {}}};
     auto const parse = [](std::string const& bytes, SourceContext const& its) { return parseSource(bytes, "fuzz", its); };
     Score score;
-    for (; score.tried < inputs && !testing::Test::HasFailure(); ++score.tried) {
+    auto const end = std::chrono::steady_clock::now() + std::chrono::seconds{setting("LUFTPOST_FUZZ_SECONDS", 36000)};
+    for (; score.tried < inputs && std::chrono::steady_clock::now() < end && !testing::Test::HasFailure(); ++score.tried) {
         std::string bytes = seeds[below(random, seeds.size())];
         for (auto n = 1 + below(random, 4); n-- > 0;) mutateOnce(bytes, seeds[below(random, seeds.size())], random, binary);
         score.taken += takes(bytes, context, parse);
@@ -106,10 +134,12 @@ std::string const kMeteoblue =
 std::string const kTenMinutes =
     "nat_abbr;termin;dkl010z0;fkl010z0;fkl010z1;gre000z0;oli000z0;pp0qffs0;prestas0;rre150z0;tde200s0;tre200s0;ure200s0\n"
     "BAS;20230621000000;194;0.4;0.7;0;362;1014.9;978.3;0.0;17.8;19.6;89.1\nPAY;21.06.2023 00:00;115;0.5;1.2;0;364;;978.4;1.0;17.8;19.7;89.0\n";
-std::string const kObserver = "termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677,t2m_c,td2m_c\n20230622055000,0,,89,2,15,10\n20230622174000,7,9,15,95,16,15\n";
+std::string const kObserver =
+    "termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677,t2m_c,td2m_c\n20230622055000,0,,89,2,15,10\n20230622174000,7,9,15,95,16,15\n";
 std::string const kSounding =
     "IUSD01;190215;;\nIIiii;zzzztttt;yloclas0;yloclos0;zxltcos0;zreppps0;zreppzs0;zrettts0;zretdes0;zklddds0;zklfffs0\n"
-    "0-20000-0-06610;202306190000;46.812;6.943;1;958.24;491;18.8;14.29;251;1.6\n0-20000-0-06610;202306190000;46.9;6.95;10;500;5800;-10.0;-20.5;280;12\n";
+    "0-20000-0-06610;202306190000;46.812;6.943;1;958.24;491;18.8;14.29;251;1.6\n0-20000-0-06610;202306190000;46.9;6.95;10;500;5800;-10.0;-20.5;280;"
+    "12\n";
 
 std::vector<std::string> gribSeeds() {
     std::vector<std::string> seeds;
@@ -139,7 +169,9 @@ std::vector<std::string> gribSeeds() {
 }
 }  // namespace
 
-TEST(FuzzSources, MutantsOfModelsInJsonAreRefusedOrReadNeverACrash) { expectBoth(fuzz({kOpenMeteo, kMeteoblue}, setting("LUFTPOST_FUZZ_INPUTS", 20000), false)); }
+TEST(FuzzSources, MutantsOfModelsInJsonAreRefusedOrReadNeverACrash) {
+    expectBoth(fuzz({kOpenMeteo, kMeteoblue}, setting("LUFTPOST_FUZZ_INPUTS", 20000), false));
+}
 
 TEST(FuzzSources, MutantsOfStationTablesAreRefusedOrReadNeverACrash) {
     expectBoth(fuzz({kTenMinutes, kObserver, kSounding}, setting("LUFTPOST_FUZZ_INPUTS", 20000), false));
@@ -148,8 +180,10 @@ TEST(FuzzSources, MutantsOfStationTablesAreRefusedOrReadNeverACrash) {
 TEST(FuzzSources, MutantsOfGribAreRefusedOrReadNeverACrash) { expectBoth(fuzz(gribSeeds(), setting("LUFTPOST_FUZZ_INPUTS", 2000), true)); }
 
 TEST(FuzzSources, HostileBodiesAreRefusedBeforeTheyFillTheMemory) {
-    SourceContext const context{1.7e9, {}};
-    auto const refused = [&](std::string const& bytes) { return !takes(bytes, context, [](std::string const& b, SourceContext const& c) { return parseSource(b, "fuzz", c); }); };
+    SourceContext const context{.latest = 1.7e9};
+    auto const refused = [&](std::string const& bytes) {
+        return !takes(bytes, context, [](std::string const& b, SourceContext const& c) { return parseSource(b, "fuzz", c); });
+    };
     EXPECT_TRUE(refused(std::string(65u << 20, ' ')));
     std::string const head = R"({"latitude":1,"longitude":2,"generationtime_ms":1,"hourly":)";
     EXPECT_TRUE(refused(head + std::string(1u << 20, '[')));

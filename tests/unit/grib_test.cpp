@@ -39,10 +39,11 @@ std::string temperature(std::vector<std::optional<double>> const& values) {
 }  // namespace
 
 TEST(Grib, TheSurfaceHoldsWhatTheFieldsSay) {
-    Report const r = firstReport(uniform(0, 0, 103, 2, 288.15) + uniform(0, 6, 103, 2, 283.15) + uniform(2, 2, 103, 10, 3.0) + uniform(2, 3, 103, 10, 4.0) +
-                                 uniform(2, 22, 1, 0, 9.0) + uniform(3, 1, 101, 0, 101500.0) + uniform(6, 1, 10, 0, 75.0) + uniform(6, 1, 214, 0, 40.0) +
-                                 uniform(6, 1, 224, 0, 50.0) + uniform(6, 1, 234, 0, 60.0) + uniform(19, 0, 1, 0, 8000.0) + uniform(7, 6, 1, 0, 650.0) +
-                                 uniform(3, 5, 4, 0, 3100.0) + uniform(1, 11, 1, 0, 0.25));
+    Report const r =
+        firstReport(uniform(0, 0, 103, 2, 288.15) + uniform(0, 6, 103, 2, 283.15) + uniform(2, 2, 103, 10, 3.0) + uniform(2, 3, 103, 10, 4.0) +
+                    uniform(2, 22, 1, 0, 9.0) + uniform(3, 1, 101, 0, 101500.0) + uniform(6, 1, 10, 0, 75.0) + uniform(6, 1, 214, 0, 40.0) +
+                    uniform(6, 1, 224, 0, 50.0) + uniform(6, 1, 234, 0, 60.0) + uniform(19, 0, 1, 0, 8000.0) + uniform(7, 6, 1, 0, 650.0) +
+                    uniform(3, 5, 4, 0, 3100.0) + uniform(1, 11, 1, 0, 0.25));
     EXPECT_EQ(r.time, *core::parseUtc("2023-06-22T06:00Z"));
     EXPECT_NEAR(*r.temperature_c, 15.0, 1e-3);
     EXPECT_NEAR(*r.dew_point_c, 10.0, 1e-3);
@@ -80,7 +81,8 @@ TEST(Grib, AGridAroundTheEarthHasNoEdge) {
     GribMaker maker;
     maker.columns = 4, maker.rows = 3, maker.lat0 = 90.0, maker.latStep = -90.0, maker.lon0 = 0.0, maker.lonStep = 90.0;
     maker.values = {280, 280, 280, 280, 270, 280, 290, 300, 280, 280, 280, 280};
-    EXPECT_NEAR(*parsed(maker.message(), PlaceWish{0.0, -45.0, {}}).sites[0].reports[0].temperature_c, 285.0 - 273.15, 1e-3) << "between 300 at 270 and 270 at 0 E";
+    EXPECT_NEAR(*parsed(maker.message(), PlaceWish{0.0, -45.0, {}}).sites[0].reports[0].temperature_c, 285.0 - 273.15, 1e-3)
+        << "between 300 at 270 and 270 at 0 E";
     EXPECT_NEAR(*parsed(maker.message(), PlaceWish{0.0, 180.0, {}}).sites[0].reports[0].temperature_c, 290.0 - 273.15, 1e-3);
     EXPECT_NEAR(*parsed(maker.message(), PlaceWish{45.0, 0.0, {}}).sites[0].reports[0].temperature_c, 275.0 - 273.15, 1e-3);
 }
@@ -137,9 +139,10 @@ TEST(Grib, BasesAndTopsMakeLayers) {
 }
 
 TEST(Grib, PressureLevelsBecomeHeights) {
-    Report const r = firstReport(uniform(3, 5, 1, 0, 400.0) + uniform(3, 5, 100, 85000, 1500.0) + uniform(0, 0, 100, 85000, 283.15) + uniform(1, 1, 100, 85000, 50.0) +
-                                 uniform(2, 2, 100, 85000, -10.0) + uniform(2, 3, 100, 85000, 0.0) + uniform(6, 1, 100, 85000, 30.0) +
-                                 uniform(3, 5, 100, 100000, 110.0) + uniform(0, 0, 100, 100000, 290.0) + uniform(2, 2, 103, 80, 7.0) + uniform(2, 3, 103, 80, 0.0));
+    Report const r = firstReport(uniform(3, 5, 1, 0, 400.0) + uniform(3, 5, 100, 85000, 1500.0) + uniform(0, 0, 100, 85000, 283.15) +
+                                 uniform(1, 1, 100, 85000, 50.0) + uniform(2, 2, 100, 85000, -10.0) + uniform(2, 3, 100, 85000, 0.0) +
+                                 uniform(6, 1, 100, 85000, 30.0) + uniform(3, 5, 100, 100000, 110.0) + uniform(0, 0, 100, 100000, 290.0) +
+                                 uniform(2, 2, 103, 80, 7.0) + uniform(2, 3, 103, 80, 0.0));
     ASSERT_EQ(r.levels.size(), 2u) << "1000 hPa is under the ground at 400 m";
     EXPECT_NEAR(r.levels[0].altitude_m, 480.0, 0.1);
     EXPECT_NEAR(*r.levels[0].from_deg, 270.0, 0.1);
@@ -206,9 +209,12 @@ TEST(Grib, BadFilesAreAnsweredWithMessageAndByteInOneLine) {
         EXPECT_EQ(complaint.find('\n'), std::string::npos) << complaint;
         EXPECT_TRUE(complaint.starts_with("model.grib2: ")) << complaint;
     }
-    EXPECT_NE(tests::complaintOf([&] { parsed(good, PlaceWish{10.0, 10.0, {}}); }).find("expected a grid over the place 10.00 N 10.00 E"), std::string::npos);
+    EXPECT_NE(tests::complaintOf([&] {
+                  parsed(good, PlaceWish{10.0, 10.0, {}});
+              }).find("expected a grid over the place 10.00 N 10.00 E"),
+              std::string::npos);
     EXPECT_TRUE(looksLikeGrib(good));
-    EXPECT_EQ(parseSource(good, "x", {0.0, kMiddle}).sites.size(), 9u);
+    EXPECT_EQ(parseSource(good, "x", {.place = kMiddle}).sites.size(), 9u);
 }
 
 TEST(Grib, AllPackingsGiveTheSameFigures) {
@@ -236,10 +242,10 @@ TEST(Grib, TheRealFileReadsAsAnotherDecoderDoes) {
         for (std::string part; std::getline(cell, part, ',');) cells.push_back(part);
         if (cells.size() == 8 && cells[1] == "0") expected[fmt::format("{},{},{},{}", cells[2], cells[3], cells[4], cells[5])] = std::stod(cells[7]);
     }
-    std::map<int, std::string> const surfaces{{103, "heightAboveGround"}, {214, "lowCloudLayer"},  {224, "middleCloudLayer"},      {234, "highCloudLayer"},
-                                              {212, "lowCloudBottom"},    {222, "middleCloudBottom"}, {232, "highCloudBottom"},    {213, "lowCloudTop"},
-                                              {223, "middleCloudTop"},    {233, "highCloudTop"},   {242, "convectiveCloudBottom"}, {243, "convectiveCloudTop"},
-                                              {244, "convectiveCloudLayer"}};
+    std::map<int, std::string> const surfaces{
+        {103, "heightAboveGround"},     {214, "lowCloudLayer"},      {224, "middleCloudLayer"},    {234, "highCloudLayer"}, {212, "lowCloudBottom"},
+        {222, "middleCloudBottom"},     {232, "highCloudBottom"},    {213, "lowCloudTop"},         {223, "middleCloudTop"}, {233, "highCloudTop"},
+        {242, "convectiveCloudBottom"}, {243, "convectiveCloudTop"}, {244, "convectiveCloudLayer"}};
     int compared = 0, holes = 0;
     forEachGribField(
         core::readFile(file), "gfs", [](GribField const&) { return true; },

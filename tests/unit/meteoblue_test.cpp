@@ -12,8 +12,8 @@ using namespace luftpost::weather;
 namespace {
 /// A body of two hours; `units` and `arrays` are further entries, each ending in a comma.
 std::string body(std::string const& units, std::string const& arrays, std::string const& times = R"("2026-04-20 00:00","2026-04-20 01:00")") {
-    return R"({"metadata":{"modelrun_utc":"2026-04-19 21:00","name":"","height":226,"latitude":49.1952,"longitude":16.608,"utc_timeoffset":2.0},"units":{)" + units +
-           R"("time":"YYYY-MM-DD hh:mm"},"data_1h":{)" + arrays + R"("time":[)" + times + "]}}";
+    return R"({"metadata":{"modelrun_utc":"2026-04-19 21:00","name":"","height":226,"latitude":49.1952,"longitude":16.608,"utc_timeoffset":2.0},"units":{)" +
+           units + R"("time":"YYYY-MM-DD hh:mm"},"data_1h":{)" + arrays + R"("time":[)" + times + "]}}";
 }
 Recording parsed(std::string const& bytes) { return parseMeteoblue(bytes, "body.json"); }
 std::vector<Report> reportsOf(std::string const& units, std::string const& arrays) { return parsed(body(units, arrays)).sites.at(0).reports; }
@@ -71,10 +71,12 @@ TEST(Meteoblue, AllThreeFormatsOfTimeAreTheSameHours) {
 
 TEST(Meteoblue, AnHourOfSummerTimesEndIsAnHour) {
     std::string const units = R"("temperature":"C",)";
-    auto const autumn = parsed(body(units, R"("temperature":[1,2,3],)", R"("2026-10-25 02:00","2026-10-25 02:00","2026-10-25 03:00")")).sites[0].reports;
+    auto const autumn =
+        parsed(body(units, R"("temperature":[1,2,3],)", R"("2026-10-25 02:00","2026-10-25 02:00","2026-10-25 03:00")")).sites[0].reports;
     EXPECT_EQ(autumn[1].time - autumn[0].time, 3600.0);
     EXPECT_EQ(autumn[2].time - autumn[1].time, 3600.0);
-    auto const spring = parsed(body(units, R"("temperature":[1,2,3],)", R"("2026-03-29 01:00","2026-03-29 03:00","2026-03-29 04:00")")).sites[0].reports;
+    auto const spring =
+        parsed(body(units, R"("temperature":[1,2,3],)", R"("2026-03-29 01:00","2026-03-29 03:00","2026-03-29 04:00")")).sites[0].reports;
     EXPECT_EQ(spring[2].time - spring[0].time, 7200.0);
 }
 

@@ -65,6 +65,10 @@ TEST(MeteoSwiss, AnEmptyCellIsUnknownAndSeveralStationsAreSeveralSites) {
     EXPECT_NEAR(*basel.reports[0].dew_point_c, 6.5, 0.1);
     EXPECT_FALSE(basel.reports[1].speed_mps || basel.reports[1].gust_mps || basel.reports[1].pressure_hpa || basel.reports[1].dew_point_c);
     EXPECT_EQ(basel.reports[1].precipitationKind, Precipitation::None);
+    ASSERT_EQ(recording.order.size(), 3u) << "as the file lists them";
+    EXPECT_EQ(recording.order[0].report, 1u);
+    EXPECT_EQ(recording.order[1].site, 1u);
+    EXPECT_EQ(recording.order[2].report, 0u);
     Site const& unknown = recording.sites[1];
     EXPECT_EQ(unknown.name, "XYZ");
     EXPECT_FALSE(unknown.lat_deg || unknown.lon_deg || unknown.elevation_m);
@@ -73,7 +77,8 @@ TEST(MeteoSwiss, AnEmptyCellIsUnknownAndSeveralStationsAreSeveralSites) {
 }
 
 TEST(MeteoSwiss, AStationsOwnPressureAloneIsReducedAndFilled) {
-    Report const r = parsed("station_abbr;reference_timestamp;prestas0;tre200s0;fu3010z0;fu3010z1\nBAS;22.06.2023 17:30;978.3;19.6;36;72\n").sites[0].reports[0];
+    Report const r =
+        parsed("station_abbr;reference_timestamp;prestas0;tre200s0;fu3010z0;fu3010z1\nBAS;22.06.2023 17:30;978.3;19.6;36;72\n").sites[0].reports[0];
     EXPECT_FALSE(r.pressure_hpa);
     EXPECT_NEAR(std::get<double>(r.filled.at("pressure_hpa")), 1014.9, 0.5) << "the QFF that the station itself gave for this";
     EXPECT_NEAR(*r.speed_mps, 10.0, 1e-9) << "kilometres an hour by the column's name";
@@ -99,7 +104,8 @@ TEST(MeteoSwiss, ASoundingIsAReportWithLevels) {
 }
 
 TEST(MeteoSwiss, AnObserversLookIsALayerOfItsGenus) {
-    std::string const heading = "termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677,t2m_c,td2m_c,rain_mm_10min,wind_ms,gust_ms,wind_dir\n";
+    std::string const heading =
+        "termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677,t2m_c,td2m_c,rain_mm_10min,wind_ms,gust_ms,wind_dir\n";
     auto const reports = parsed(heading +
                                 "20230622055000,0,,89,2,15,10,0,1,2,90\n"
                                 "20230622115000,6,8,75,80,25,16,0.5,3,6,200\n"

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/weather/open_meteo.h"
 #include "engine/weather/source.h"
+#include "tests/unit/source_files.h"
 
 using namespace luftpost;
 using namespace luftpost::weather;
@@ -15,24 +14,16 @@ using namespace luftpost::weather;
 namespace {
 /// A body of one place with two hours; `units` and `arrays` are further entries of their objects, each ending in a comma.
 std::string body(std::string const& units, std::string const& arrays, std::string const& head = "") {
-    return R"({"latitude":47.5,"longitude":7.5,"elevation":300,"utc_offset_seconds":0,"generationtime_ms":0.1,)" + head + R"("hourly_units":{)" + units +
-           R"("time":"unixtime"},"hourly":{)" + arrays + R"("time":[1705395600,1705399200]}})";
+    return R"({"latitude":47.5,"longitude":7.5,"elevation":300,"utc_offset_seconds":0,"generationtime_ms":0.1,)" + head + R"("hourly_units":{)" +
+           units + R"("time":"unixtime"},"hourly":{)" + arrays + R"("time":[1705395600,1705399200]}})";
 }
 Recording parsed(std::string const& bytes) { return parseOpenMeteo(bytes, "body.json"); }
 std::vector<Report> reportsOf(std::string const& units, std::string const& arrays) { return parsed(body(units, arrays)).sites.at(0).reports; }
 
 std::string complaintOf(std::string const& bytes) {
-    try {
-        parseOpenMeteo(bytes, "body.json");
-    } catch (core::Error const& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return tests::complaintOf([&] { parsed(bytes); });
 }
-
-std::filesystem::path shared(std::string const& name) {
-    return std::filesystem::path{LUFTPOST_SOURCE_DIR}.parent_path() / "shared/weather/open-meteo" / name;
-}
+std::filesystem::path shared(std::string const& name) { return tests::sharedWeather(LUFTPOST_SOURCE_DIR, "open-meteo/" + name); }
 }  // namespace
 
 TEST(OpenMeteo, AnHourHoldsWhatTheBodySaysInTheUnitsOfAReport) {
@@ -81,17 +72,23 @@ TEST(OpenMeteo, EveryUnitOptionComesOutTheSame) {
         char const *unit, *value;
     };
     for (Case const one : {Case{"m/s", "10"}, {"km/h", "36"}, {"kn", "19.4384449"}, {"mp/h", "22.3693629"}}) {
-        auto const r = reportsOf(std::string{R"("wind_speed_10m":")"} + one.unit + "\",", std::string{R"("wind_speed_10m":[null,)"} + one.value + "],");
+        auto const r =
+            reportsOf(std::string{R"("wind_speed_10m":")"} + one.unit + "\",", std::string{R"("wind_speed_10m":[null,)"} + one.value + "],");
         ASSERT_EQ(r.size(), 1u) << "an hour of nothing is no report";
         EXPECT_NEAR(*r[0].speed_mps, 10.0, 1e-6) << one.unit;
     }
     for (Case const one : {Case{"°C", "-10"}, {"°F", "14"}})
-        EXPECT_NEAR(*reportsOf(std::string{R"("temperature_2m":")"} + one.unit + "\",", std::string{R"("temperature_2m":[0,)"} + one.value + "],")[1].temperature_c,
+        EXPECT_NEAR(*reportsOf(std::string{R"("temperature_2m":")"} + one.unit + "\",", std::string{R"("temperature_2m":[0,)"} + one.value + "],")[1]
+                         .temperature_c,
                     -10.0, 1e-9);
     for (Case const one : {Case{"mm", "5.08"}, {"inch", "0.2"}})
-        EXPECT_NEAR(*reportsOf(std::string{R"("precipitation":")"} + one.unit + "\",", std::string{R"("precipitation":[0,)"} + one.value + "],")[1].rate_mm_h, 5.08, 1e-9);
+        EXPECT_NEAR(
+            *reportsOf(std::string{R"("precipitation":")"} + one.unit + "\",", std::string{R"("precipitation":[0,)"} + one.value + "],")[1].rate_mm_h,
+            5.08, 1e-9);
     for (Case const one : {Case{"m", "3048"}, {"ft", "10000"}})
-        EXPECT_NEAR(*reportsOf(std::string{R"("visibility":")"} + one.unit + "\",", std::string{R"("visibility":[0,)"} + one.value + "],")[1].visibility_m, 3048.0, 1e-9);
+        EXPECT_NEAR(
+            *reportsOf(std::string{R"("visibility":")"} + one.unit + "\",", std::string{R"("visibility":[0,)"} + one.value + "],")[1].visibility_m,
+            3048.0, 1e-9);
     auto const feet = reportsOf(R"("visibility":"ft",)", R"("visibility":[79199.475,5],)");
     EXPECT_TRUE(feet[0].visibilityIsMinimum);
 }
@@ -99,7 +96,8 @@ TEST(OpenMeteo, EveryUnitOptionComesOutTheSame) {
 TEST(OpenMeteo, TheKindOfWhatFellComesFromTheSumsAndTheCode) {
     auto const kind = [](std::string const& rain, std::string const& snow, std::string const& code) {
         return reportsOf(R"("precipitation":"mm","rain":"mm","showers":"mm","snowfall":"cm","weather_code":"wmo code",)",
-                         R"("precipitation":[0,1],"showers":[0,0],"rain":[0,)" + rain + R"(],"snowfall":[0,)" + snow + R"(],"weather_code":[0,)" + code + "],")[1]
+                         R"("precipitation":[0,1],"showers":[0,0],"rain":[0,)" + rain + R"(],"snowfall":[0,)" + snow + R"(],"weather_code":[0,)" +
+                             code + "],")[1]
             .precipitationKind;
     };
     EXPECT_EQ(kind("1", "0", "61"), Precipitation::Rain);
@@ -112,12 +110,14 @@ TEST(OpenMeteo, TheKindOfWhatFellComesFromTheSumsAndTheCode) {
 
 TEST(OpenMeteo, WaterIsTheSumOfItsPartsOnlyWhenAllAreKnown) {
     std::string const units = R"("rain":"mm","showers":"mm","snowfall":"cm","temperature_2m":"°C",)";
-    EXPECT_NEAR(*reportsOf(units, R"("rain":[0,1],"showers":[0,2],"snowfall":[0,0.7],"temperature_2m":[1,1],)")[1].rate_mm_h, 4.0, 1e-9) << "7 cm of snow are 10 mm of water";
+    EXPECT_NEAR(*reportsOf(units, R"("rain":[0,1],"showers":[0,2],"snowfall":[0,0.7],"temperature_2m":[1,1],)")[1].rate_mm_h, 4.0, 1e-9)
+        << "7 cm of snow are 10 mm of water";
     EXPECT_FALSE(reportsOf(units, R"("rain":[0,1],"snowfall":[0,0.7],"temperature_2m":[1,1],)")[1].rate_mm_h);
 }
 
 TEST(OpenMeteo, LocalTimesAreTakenBackByTheOffsetAndUnixTimesAreNot) {
-    std::string const head = R"({"latitude":-37.75,"longitude":144.875,"elevation":19,"utc_offset_seconds":39600,"hourly_units":{"temperature_2m":"°C"},"hourly":{)";
+    std::string const head =
+        R"({"latitude":-37.75,"longitude":144.875,"elevation":19,"utc_offset_seconds":39600,"hourly_units":{"temperature_2m":"°C"},"hourly":{)";
     auto const local = parsed(head + R"("time":["2024-01-16T20:00","2024-01-16T21:00"],"temperature_2m":[29.8,28.3]}})").sites[0].reports;
     auto const unix = parsed(head + R"("time":[1705395600,1705399200],"temperature_2m":[29.8,28.3]}})").sites[0].reports;
     EXPECT_EQ(local[0].time, *core::parseUtc("2024-01-16T09:00Z"));
@@ -175,7 +175,8 @@ TEST(OpenMeteo, ThePressureOfThePlaceIsReducedAndCountsAsFilled) {
     auto const r = reportsOf(R"("surface_pressure":"hPa","temperature_2m":"°C",)", R"("surface_pressure":[978.3,978.3],"temperature_2m":[15,15],)");
     EXPECT_FALSE(r[0].pressure_hpa);
     EXPECT_NEAR(std::get<double>(r[0].filled.at("pressure_hpa")), 1013.7, 0.3) << "1 hPa on 8.4 m at 15 degrees";
-    auto const both = reportsOf(R"("surface_pressure":"hPa","pressure_msl":"hPa",)", R"("surface_pressure":[978.3,978.3],"pressure_msl":[1014,null],)");
+    auto const both =
+        reportsOf(R"("surface_pressure":"hPa","pressure_msl":"hPa",)", R"("surface_pressure":[978.3,978.3],"pressure_msl":[1014,null],)");
     EXPECT_EQ(both[0].pressure_hpa, 1014.0);
     EXPECT_FALSE(both[0].filled.contains("pressure_hpa"));
 }
@@ -191,16 +192,19 @@ TEST(OpenMeteo, NullIsUnknownAndACalmHasNoDirection) {
 }
 
 TEST(OpenMeteo, QuarterHoursAndTheCurrentHourAreReadWhereThereAreNoHours) {
-    auto const quarters = parsed(R"({"latitude":1,"longitude":2,"minutely_15_units":{"precipitation":"mm"},"minutely_15":{"time":[900,1800],"precipitation":[0,2]}})");
+    auto const quarters =
+        parsed(R"({"latitude":1,"longitude":2,"minutely_15_units":{"precipitation":"mm"},"minutely_15":{"time":[900,1800],"precipitation":[0,2]}})");
     EXPECT_EQ(quarters.sites[0].reports[1].rate_mm_h, 8.0) << "2 mm in a quarter";
     EXPECT_EQ(quarters.sites[0].reports[1].interval_s, 900.0);
-    auto const now = parsed(R"({"latitude":1,"longitude":2,"current_units":{"precipitation":"mm"},"current":{"time":900,"interval":900,"precipitation":2}})");
+    auto const now =
+        parsed(R"({"latitude":1,"longitude":2,"current_units":{"precipitation":"mm"},"current":{"time":900,"interval":900,"precipitation":2}})");
     EXPECT_EQ(now.sites[0].reports[0].rate_mm_h, 8.0);
 }
 
 TEST(OpenMeteo, TheOldSpellingIsReadToo) {
-    auto const r = reportsOf(R"("windspeed_10m":"km/h","cloudcover_low":"%","weathercode":"wmo code","relativehumidity_2m":"%","temperature_2m":"°C",)",
-                             R"("windspeed_10m":[36,36],"cloudcover_low":[50,50],"weathercode":[3,3],"relativehumidity_2m":[100,100],"temperature_2m":[8,8],)");
+    auto const r =
+        reportsOf(R"("windspeed_10m":"km/h","cloudcover_low":"%","weathercode":"wmo code","relativehumidity_2m":"%","temperature_2m":"°C",)",
+                  R"("windspeed_10m":[36,36],"cloudcover_low":[50,50],"weathercode":[3,3],"relativehumidity_2m":[100,100],"temperature_2m":[8,8],)");
     EXPECT_DOUBLE_EQ(*r[0].speed_mps, 10.0);
     EXPECT_EQ(r[0].coverLow, 0.5);
     EXPECT_EQ(r[0].weatherCode, 3);
@@ -213,7 +217,8 @@ TEST(OpenMeteo, BadBodiesAreAnsweredWithFilePlaceAndExpectationInOneLine) {
     };
     std::string const good = body(R"("temperature_2m":"°C",)", R"("temperature_2m":[1,2],)");
     std::vector<Case> const cases{
-        {R"({"error":true,"reason":"Minutely API request limit exceeded.\nPlease try again in one minute."})", "Minutely API request limit exceeded. Please"},
+        {R"({"error":true,"reason":"Minutely API request limit exceeded.\nPlease try again in one minute."})",
+         "Minutely API request limit exceeded. Please"},
         {"<html>busy</html>", "line 1"},
         {"", "empty"},
         {good.substr(0, 150), "well-formed"},
@@ -263,13 +268,16 @@ TEST(OpenMeteo, ItIsRecognisedByContent) {
     EXPECT_FALSE(looksLikeOpenMeteo(R"({"format":"luftpost-weather-1","name":"generationtime_ms"})"));
     EXPECT_FALSE(looksLikeOpenMeteo("METAR LSZB 221720Z"));
     EXPECT_EQ(parseSource(good, "x", contextOfNow()).source, "Open-Meteo (model data)");
+    std::string const complaint = tests::complaintOf([] { parseSource("Dear diary, it rained.", "diary.txt", contextOfNow()); });
+    EXPECT_NE(complaint.find("diary.txt: expected weather in one of the formats: GRIB 2, "), std::string::npos) << complaint;
 }
 
 TEST(OpenMeteo, TheRequestAsksForAllThatIsRead) {
     std::string const url = openMeteoUrl("http://127.0.0.1:8080/v1/forecast", 47.541, -7.5834567);
-    EXPECT_TRUE(url.starts_with("http://127.0.0.1:8080/v1/forecast?latitude=47.5410&longitude=-7.5835&timeformat=unixtime&wind_speed_unit=ms&")) << url;
-    for (char const* part : {"past_hours=6", "forecast_hours=24", "hourly=temperature_2m,", "wind_gusts_10m", "geopotential_height_1000hPa", "cloud_cover_200hPa",
-                             "wind_direction_180m", "weather_code"})
+    EXPECT_TRUE(url.starts_with("http://127.0.0.1:8080/v1/forecast?latitude=47.5410&longitude=-7.5835&timeformat=unixtime&wind_speed_unit=ms&"))
+        << url;
+    for (char const* part : {"past_hours=6", "forecast_hours=24", "hourly=temperature_2m,", "wind_gusts_10m", "geopotential_height_1000hPa",
+                             "cloud_cover_200hPa", "wind_direction_180m", "weather_code"})
         EXPECT_NE(url.find(part), std::string::npos) << part;
     EXPECT_EQ(url.find(' '), std::string::npos);
     EXPECT_LT(url.size(), 4000u);

@@ -135,23 +135,34 @@ std::string gribOfEverything() {
         maker.values = {value, value, value, value * 1.001, value, value, value, value * 0.999, std::nullopt};
         bytes += maker.message();
     };
-    add(0, 0, 103, 2, 288.17), add(1, 1, 103, 2, 63.0), add(2, 2, 103, 10, 3.3), add(2, 3, 103, 10, -4.7), add(3, 0, 1, 0, 97000.0), add(3, 5, 1, 0, 333.0);
+    add(0, 0, 103, 2, 288.17), add(1, 1, 103, 2, 63.0), add(2, 2, 103, 10, 3.3), add(2, 3, 103, 10, -4.7), add(3, 0, 1, 0, 97000.0),
+        add(3, 5, 1, 0, 333.0);
     add(6, 1, 214, 0, 41.0, 0), add(6, 1, 224, 0, 13.0, 0), add(6, 1, 234, 0, 77.0, 0), add(3, 0, 212, 0, 90123.0, 0), add(3, 0, 213, 0, 85001.0, 0);
-    add(1, 8, 1, 0, 7.0, 1), add(1, 192, 1, 0, 1.0, 0), add(3, 5, 100, 70000, 3100.0), add(0, 0, 100, 70000, 271.0), add(2, 2, 100, 70000, 20.0), add(2, 3, 100, 70000, 1.0);
+    add(1, 8, 1, 0, 7.0, 1), add(1, 192, 1, 0, 1.0, 0), add(3, 5, 100, 70000, 3100.0), add(0, 0, 100, 70000, 271.0), add(2, 2, 100, 70000, 20.0),
+        add(2, 3, 100, 70000, 1.0);
     return bytes;
 }
 }  // namespace
 
 TEST(RoundTrip, EverySourceIsTheSameAfterItWasSavedAsARecording) {
-    SourceContext const context{0.0, PlaceWish{47.2, 7.9, {}}};
+    SourceContext const context{.place = PlaceWish{47.2, 7.9, {}}};
     EXPECT_EQ(sameAgain(parseSource(kOpenMeteo, "x", context)), 2u);
     EXPECT_EQ(sameAgain(parseSource(gribOfEverything(), "x", context)), 9u);
-    EXPECT_EQ(sameAgain(parseSource(R"({"metadata":{"modelrun_utc":"","latitude":49.19523,"longitude":16.60812,"height":226,"utc_timeoffset":2},"units":{"temperature":"F",
+    EXPECT_EQ(
+        sameAgain(parseSource(
+            R"({"metadata":{"modelrun_utc":"","latitude":49.19523,"longitude":16.60812,"height":226,"utc_timeoffset":2},"units":{"temperature":"F",
         "windspeed":"kn","precipitation":"inch"},"data_1h":{"time":["2026-04-20 00:00"],"temperature":[51.3],"relativehumidity":[77],"windspeed":[7],"precipitation":[0.03],
-        "snowfraction":[0.5],"pictocode":[27],"lowclouds":[33]}})", "x", context)), 1u);
-    EXPECT_EQ(sameAgain(parseSource("nat_abbr;termin;dkl010z0;fu3010z0;prestas0;rre150z0;tre200s0;ure200s0\nBAS;20230621000000;194;1.4;978.3;0.1;19.6;89.1\n", "x", context)), 1u);
-    EXPECT_EQ(sameAgain(parseSource("termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677\n20230622174000,7,9,15,95\n", "x", context)), 1u);
-    for (PresetName const& preset : presetNames()) EXPECT_EQ(sameAgain(*presetRecording(preset.name, {})), presetRecording(preset.name, {})->sites[0].reports.size());
+        "snowfraction":[0.5],"pictocode":[27],"lowclouds":[33]}})",
+            "x", context)),
+        1u);
+    EXPECT_EQ(
+        sameAgain(parseSource(
+            "nat_abbr;termin;dkl010z0;fu3010z0;prestas0;rre150z0;tre200s0;ure200s0\nBAS;20230621000000;194;1.4;978.3;0.1;19.6;89.1\n", "x", context)),
+        1u);
+    EXPECT_EQ(sameAgain(parseSource("termin_utc,okta_nto,genus_cc1_wmo0500,vis_vho_wmo4377,ww_wmo4677\n20230622174000,7,9,15,95\n", "x", context)),
+              1u);
+    for (PresetName const& preset : presetNames())
+        EXPECT_EQ(sameAgain(*presetRecording(preset.name, {})), presetRecording(preset.name, {})->sites[0].reports.size());
 }
 
 TEST(RoundTrip, TheRealFilesAreTheSameAfterTheyWereSavedAsRecordings) {
@@ -160,10 +171,67 @@ TEST(RoundTrip, TheRealFilesAreTheSameAfterTheyWereSavedAsRecordings) {
         std::size_t reports;
     };
     if (!std::filesystem::exists(tests::sharedWeather(LUFTPOST_SOURCE_DIR, "README.md"))) GTEST_SKIP() << "no real files beside the repo";
-    for (Case const one : {Case{"open-meteo/melbourne_2024-01-16_hourly_cold_front_thunderstorm.json", 24}, {"open-meteo/multi_location_array_cities_2024-01-26.json", 2880},
-                           {"meteoblue/brno_2026-04-20_basic-1h.json", 169}, {"meteoswiss/BAS_10min_2023-06-21_23_thunderstorm_front.csv", 432},
-                           {"meteoswiss/BAS_observer_2023-01_07.csv", 288}, {"meteoswiss/radiosounding_PAY_2023-06-19_00Z.csv", 1}, {"grib/gfs_clouds_subset.grib2", 9}}) {
+    for (Case const one : {Case{"open-meteo/melbourne_2024-01-16_hourly_cold_front_thunderstorm.json", 24},
+                           {"open-meteo/multi_location_array_cities_2024-01-26.json", 2880},
+                           {"meteoblue/brno_2026-04-20_basic-1h.json", 169},
+                           {"meteoswiss/BAS_10min_2023-06-21_23_thunderstorm_front.csv", 432},
+                           {"meteoswiss/BAS_observer_2023-01_07.csv", 288},
+                           {"meteoswiss/radiosounding_PAY_2023-06-19_00Z.csv", 1},
+                           {"grib/gfs_clouds_subset.grib2", 9}}) {
         auto const file = tests::sharedWeather(LUFTPOST_SOURCE_DIR, one.file);
-        EXPECT_EQ(sameAgain(parseSource(core::readFile(file), file.string(), {0.0, PlaceWish{47.5, 7.5, {}}})), one.reports) << file;
+        EXPECT_EQ(sameAgain(parseSource(core::readFile(file), file.string(), {.place = PlaceWish{47.5, 7.5, {}}})), one.reports) << file;
     }
+}
+
+namespace {
+/// Both say it and agree to `tolerance`, or neither says it. Counts those that both say.
+std::size_t agrees(std::optional<double> a, std::optional<double> b, double tolerance, std::string const& what) {
+    EXPECT_EQ(a.has_value(), b.has_value()) << what;
+    if (!a || !b) return 0;
+    EXPECT_NEAR(*a, *b, tolerance) << what;
+    return 1;
+}
+
+Recording bundled(std::string const& name) { return readRecording(std::string{LUFTPOST_SOURCE_DIR} + "/assets/weather/" + name); }
+}  // namespace
+
+TEST(RoundTrip, TheBundledDaysHoldTheFiguresThatTheDecodersReadInTheProvidersFiles) {
+    auto const melbourne = tests::sharedWeather(LUFTPOST_SOURCE_DIR, "open-meteo/melbourne_2024-01-16_hourly_cold_front_thunderstorm.json");
+    auto const basel = tests::sharedWeather(LUFTPOST_SOURCE_DIR, "meteoswiss/BAS_10min_2023-06-21_23_thunderstorm_front.csv");
+    if (!std::filesystem::exists(melbourne)) GTEST_SKIP() << melbourne;
+    std::size_t compared = 0;
+    auto const compare = [&](Report const& read, Report const& kept) {
+        std::string const what = core::formatUtc(read.time);
+        EXPECT_EQ(read.time, kept.time);
+        compared += agrees(read.speed_mps, kept.speed_mps, 0.0051, what + " speed") + agrees(read.gust_mps, kept.gust_mps, 0.0051, what + " gust") +
+                    agrees(read.temperature_c, kept.temperature_c, 1e-6, what + " temperature") +
+                    agrees(read.pressure_hpa, kept.pressure_hpa, 1e-6, what + " pressure") +
+                    agrees(read.dew_point_c, kept.dew_point_c, 1e-6, what + " dew point") +
+                    agrees(read.rate_mm_h, kept.rate_mm_h, 0.0051, what + " rate") + agrees(read.from_deg, kept.from_deg, 1e-6, what + " direction");
+    };
+    Site const read = parseSource(core::readFile(melbourne), "m", contextOfNow()).sites[0], kept = bundled("melbourne_2024-01-16.json").sites[0];
+    ASSERT_EQ(read.reports.size(), kept.reports.size());
+    for (std::size_t i = 0; i < read.reports.size(); ++i) {
+        Report const &a = read.reports[i], &b = kept.reports[i];
+        compare(a, b);
+        std::string const what = core::formatUtc(a.time);
+        compared += agrees(a.coverLow, b.coverLow, 0.0051, what) + agrees(a.coverMid, b.coverMid, 0.0051, what) +
+                    agrees(a.coverHigh, b.coverHigh, 0.0051, what) + agrees(a.visibility_m, b.visibility_m, 1e-6, what) +
+                    agrees(a.cape_j_kg, b.cape_j_kg, 1e-6, what) + agrees(a.freezingLevel_m, b.freezingLevel_m, 1e-6, what) +
+                    agrees(a.snowDepth_m, b.snowDepth_m, 1e-6, what);
+        EXPECT_EQ(a.visibilityIsMinimum, b.visibilityIsMinimum) << what;
+        EXPECT_EQ(a.precipitationKind == Precipitation::None, b.precipitationKind == Precipitation::None) << what;
+        EXPECT_EQ(a.weatherCode, b.weatherCode) << what;
+        EXPECT_EQ(a.thunder, b.thunder) << what;
+        ASSERT_EQ(a.levels.size(), b.levels.size()) << what;
+        for (std::size_t k = 0; k < a.levels.size(); ++k) {
+            EXPECT_EQ(a.levels[k].altitude_m, b.levels[k].altitude_m);
+            compared +=
+                agrees(a.levels[k].speed_mps, b.levels[k].speed_mps, 0.0051, what) + agrees(a.levels[k].from_deg, b.levels[k].from_deg, 1e-6, what);
+        }
+    }
+    Site const measured = parseSource(core::readFile(basel), "b", contextOfNow()).sites[0], day = bundled("basel_2023-06-21_23.json").sites[0];
+    ASSERT_EQ(measured.reports.size(), day.reports.size());
+    for (std::size_t i = 0; i < measured.reports.size(); ++i) compare(measured.reports[i], day.reports[i]);
+    EXPECT_GT(compared, 3000u);
 }
