@@ -21,15 +21,20 @@ constexpr double kFrontNear = 7200.0;  // s: what passes later is not near
 double nearness(double east, double north) { return 1.0 / (east * east + north * north + kNearest * kNearest); }
 }  // namespace
 
-std::vector<double> Field::Data::weights(double east, double north) const {
-    std::vector<double> weights;
+void Field::Data::weights(double east, double north, std::vector<double>& weights) const {
+    weights.clear();
     double sum = 0.0;
     for (SiteData const& site : sites) {
         weights.push_back(nearness(east - site.east, north - site.north));
         sum += weights.back();
     }
     for (double& weight : weights) weight /= sum;
-    return weights;
+}
+
+std::vector<double> Field::Data::weights(double east, double north) const {
+    std::vector<double> result;
+    weights(east, north, result);
+    return result;
 }
 
 /// All of a site's weather but visibility and layers.

@@ -135,6 +135,7 @@ struct Field::Data {
     std::vector<Passage> passages;
 
     /// How much each site counts at a point, by 1/d2; they sum to 1.
+    void weights(double east, double north, std::vector<double>& weights) const;
     std::vector<double> weights(double east, double north) const;
     Profile profile(std::size_t site, double time) const;
     Masses masses(std::size_t site, double time) const;

@@ -15,9 +15,10 @@ constexpr double kLapse = 0.0065;      // K/m: what sites at different heights a
 /// none does.
 class Shares {
 public:
-    Shares(std::vector<SiteData> const& sites, std::vector<double> weights) : sites_{sites}, weights_{std::move(weights)} {
+    Shares(FieldAccess::Data const& data, double east, double north) : sites_{data.sites} {
+        data.weights(east, north, weights_);
         for (std::size_t q = 0; q < kQuantities; ++q)
-            for (std::size_t i = 0; i < sites.size(); ++i) sums_[q] += sites[i].knows[q] ? weights_[i] : 0.0;
+            for (std::size_t i = 0; i < sites_.size(); ++i) sums_[q] += sites_[i].knows[q] ? weights_[i] : 0.0;
     }
     double of(Quantity quantity, std::size_t site) const {
         auto const q = static_cast<std::size_t>(quantity);
@@ -28,9 +29,11 @@ public:
 
 private:
     std::vector<SiteData> const& sites_;
-    std::vector<double> weights_;  // they sum to 1
+    static thread_local std::vector<double> weights_;  // they sum to 1; one Shares at a time in a thread: nothing is allocated for a sample of air
     std::array<double, kQuantities> sums_{};
 };
+
+thread_local std::vector<double> Shares::weights_;
 
 /// A track over a point, as the sites that know of it have it.
 struct Blend {
@@ -90,7 +93,7 @@ SiteNow const& FieldInstant::Now::site(std::size_t index, double east, double no
 
 Weather FieldInstant::at(double east, double north) const {
     Field::Data const& data = *now_->data;
-    Shares const shares{data.sites, data.weights(east, north)};
+    Shares const shares{data, east, north};
     Weather weather;
     weather.gust = weather.temperature = weather.dewPoint = weather.pressureSea = weather.freezingLevel = 0.0;
     double logVisibility = 0.0, wettest = 0.0, nearest = 0.0, elevation = 0.0;
@@ -127,7 +130,7 @@ Weather FieldInstant::at(double east, double north) const {
 
 MeanAir FieldInstant::meanAir(double east, double north, double altitude, double ground) const {
     Field::Data const& data = *now_->data;
-    Shares const shares{data.sites, data.weights(east, north)};
+    Shares const shares{data, east, north};
     MeanAir mean;
     mean.gust = mean.logVisibility = mean.temperature = mean.dewPoint = mean.pressure = 0.0;
     std::optional<SiteNow> moved;

@@ -69,7 +69,7 @@ TEST(SettingsTable, HasARowForEveryMember) {
     EXPECT_TRUE(everyMemberHasARow<app::ViewSettings>(app::viewFields));
     EXPECT_TRUE(everyMemberHasARow<ui::HudSettings>(ui::hudFields));
     EXPECT_TRUE(everyMemberHasARow<audio::AudioSettings>(audio::audioFields));
-    EXPECT_EQ(memberCount<Settings>(), 5u) << "a new group needs its lines here and in settingList";
+    EXPECT_EQ(memberCount<Settings>(), 6u) << "a new group needs its lines here and in settingList";
     EXPECT_EQ(memberCount<app::FlightSettings>(), 4u) << "and in appendFlightSettings";
 }
 

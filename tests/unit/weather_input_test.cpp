@@ -82,7 +82,7 @@ TEST(WeatherInput, IsReadStrictly) {
     EXPECT_NE(refusal(R"("mode":"live")", R"("mode":"lively")").find("inputs[0].weather.mode: expected one of recorded, preset, live, stale"), std::string::npos);
     EXPECT_NE(refusal(R"("seconds":300.0)", R"("seconds":-1)").find("inputs[0].weather.seconds"), std::string::npos);
     EXPECT_NE(refusal(R"("from_utc":)", R"("from":)").find("from_utc"), std::string::npos);
-    EXPECT_NE(refusal(R"(\"speed_mps\": )", R"(\"speed_mps\": -)").find("inputs[0].weather.recording"), std::string::npos);
+    EXPECT_NE(refusal(R"(\"speed_mps\":)", R"(\"speed_mps\":-)").find("inputs[0].weather.recording"), std::string::npos);
     EXPECT_NE(refusal(R"("recording":")", R"("recording":"x)").find("inputs[0].weather.recording"), std::string::npos);
 }
 
