@@ -105,6 +105,7 @@ std::optional<WeatherInput> firstNews(WeatherFeed& feed, CommonOptions const& co
 /// Live weather is waited for in the bundled one, at the hour of now.
 weather::Field waitingField(CommonOptions& common) {
     common.time = feedTime(common);
+    common.weather = bundledSource();
     return loadField(bundledSource(), placeWish(common), common);
 }
 

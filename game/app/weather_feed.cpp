@@ -14,6 +14,7 @@
 namespace luftpost::app {
 namespace {
 constexpr double kKeptNear = 50'000.0;  // m: weather kept of a place further off is none for here
+constexpr double kAhead = 3600.0;       // s: the clock of a flight without a window may have run ahead of the wall
 
 double steadySeconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -56,7 +57,7 @@ std::optional<WeatherNews> WeatherFeed::poll(core::UtcSeconds now, FeedPlace con
 
 /// What was kept of the last time, then the thread.
 void WeatherFeed::start(core::UtcSeconds now, FeedPlace const& place) {
-    if (auto const kept = cache_.empty() ? std::nullopt : readKept(cache_); kept && kept->asked <= now) {
+    if (auto const kept = cache_.empty() ? std::nullopt : readKept(cache_); kept && kept->asked <= now + kAhead) {
         bool const tells = kept->news.lastReport >= now && distance(kept->news.place, place) < kKeptNear;
         spdlog::info("live weather: kept of {}{}", core::formatUtc(kept->asked), tells ? "" : ", of no use here and now");
         if (tells) {

@@ -20,6 +20,7 @@ constexpr std::size_t kMostBytes = 4u << 20;  // of an answer; a usual one has 0
 constexpr std::size_t kMostStations = 8;      // the nearest ones
 constexpr double kReach = 80'000.0;           // m, of the stations that are asked for
 constexpr double kWideReach = 250'000.0;      // m, where none is so near
+constexpr double kGrid_deg = 0.02;            // places are asked for so closely: near ones share an answer
 constexpr double kHoursBack = 3.0;            // h of METARs, so that the curves have a beginning
 
 constexpr ProviderFacts kFacts[] = {
@@ -138,7 +139,7 @@ double intervalOf(WeatherSettings const& settings) {
 
 bool isStale(core::UtcSeconds given, core::UtcSeconds now, WeatherSettings const& settings) { return now - given > 2.0 * intervalOf(settings); }
 
-Fetched fetchWeather(WeatherSettings const& settings, FeedPlace const& place, core::UtcSeconds now, Validators& validators,
+Fetched fetchWeather(WeatherSettings const& settings, FeedPlace const& aircraft, core::UtcSeconds now, Validators& validators,
                      std::atomic<bool> const& abort) {
     Fetched fetched;
     if (!hasKey(settings)) {
@@ -146,6 +147,7 @@ Fetched fetchWeather(WeatherSettings const& settings, FeedPlace const& place, co
         fetched.refused = true;
         return fetched;
     }
+    FeedPlace const place{std::round(aircraft.lat_deg / kGrid_deg) * kGrid_deg, std::round(aircraft.lon_deg / kGrid_deg) * kGrid_deg};
     platform::HttpRequest request;
     request.mostBytes = kMostBytes;
     request.total_s = static_cast<double>(settings.timeout);

@@ -164,7 +164,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.answer(b"{", length=1 << 30)
 
     def mode_bomb(self, number):
-        self.answer(gzip.compress(b" " * (256 << 20), 1), headers=[("Content-Encoding", "gzip")])
+        self.answer(gzip.compress(b" " * (32 << 20), 1), headers=[("Content-Encoding", "gzip")])
 
 
 server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
