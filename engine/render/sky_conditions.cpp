@@ -13,6 +13,7 @@ constexpr std::array<double, weather::kGenera> kBeamTaken{0.2, 0.2, 0.35, 0.75, 
 // it differs by genus is set here about that mean, thin and high ones above it, Ns and Cb below.
 constexpr std::array<double, weather::kGenera> kLeft{0.61, 0.61, 0.61, 0.27, 0.27, 0.16, 0.25, 0.18, 0.25, 0.12, 0.25};
 constexpr double kDarkRain = 3.5;  // mm/h: the water of such a rain halves what its cloud leaves (about its square root)
+constexpr double kDarkest = 20.0;  // mm/h: a cloudburst is narrow, light comes in from beside it
 
 double taken(weather::Layer const& layer) { return kBeamTaken.at(static_cast<std::size_t>(layer.genus)); }
 
@@ -25,7 +26,7 @@ double closedShare(weather::Weather const& weather) {
         sum += dims * dims * left;
         weights += dims * dims;
     }
-    double const rain = weather.precipitation == weather::Precipitation::None ? 0.0 : weather.precipitationRate;
+    double const rain = weather.precipitation == weather::Precipitation::None ? 0.0 : std::min(weather.precipitationRate, kDarkest);
     return (sum + 1e-9 * 0.25) / weights / (1.0 + std::sqrt(rain / kDarkRain));
 }
 

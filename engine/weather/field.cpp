@@ -91,7 +91,7 @@ std::size_t Field::Data::reportIndex(std::size_t index, double time) const {
     auto const at = std::lower_bound(site.times.begin(), site.times.end(), time);
     auto const report = static_cast<std::size_t>(std::min(at - site.times.begin(), static_cast<std::ptrdiff_t>(site.times.size()) - 1));
     for (auto const& [front, window] : site.fronts)
-        if (report > 0 && window.from > site.times[report - 1] && window.from <= site.times[report] && time < window.from) return report - 1;
+        if (report > 0 && window.from > site.times[report - 1] && window.from < site.times[report] && time < window.from) return report - 1;
     return report;
 }
 
