@@ -72,7 +72,8 @@ assets::Image resampled(assets::Image const& image, int width, int height) {
     CHECK(width > 0 && height > 0 && image.width > 0 && image.channels >= 3, "an image of {} x {}", width, height);
     double const step = std::min(static_cast<double>(image.width) / width, static_cast<double>(image.height) / height);
     double const left = 0.5 * (image.width - step * width), top = 0.5 * (image.height - step * height);
-    auto const pixels = [](double from, double to, int size) {  // at least one
+    auto const pixels = [](double from, double to, int size) {  // at least one: where it grows, the one under the point
+        if (to - from < 1.0) from = std::floor(0.5 * (from + to)), to = from + 1.0;
         int const low = std::clamp(static_cast<int>(std::floor(from + 0.5)), 0, size - 1);
         return std::pair{low, std::clamp(static_cast<int>(std::floor(to + 0.5)), low + 1, size)};
     };
