@@ -32,7 +32,7 @@ class AirProbe {
 public:
     static constexpr double kCell = 250.0;       // m between points, on a lattice that stands still in the world
     static constexpr int kCells = 22;            // points in a row
-    static constexpr int kAskedPerFrame = 64;    // points of the map; the winds add kHeights, one a frame
+    static constexpr int kAskedPerFrame = 32;    // points of the map; the winds add kHeights, one a frame
     static constexpr double kAhead = 2000.0;     // m from the aircraft to the middle of the map
     static constexpr double kHeights[] = {10.0, 100.0, 300.0, 600.0, 1000.0, 1500.0, 2000.0, 3000.0};  // m above ground
 
