@@ -11,6 +11,7 @@ namespace {
 constexpr double kLiftingPerKelvin = 125.0;  // m of convective base per K of dew-point spread (Espy's rule)
 constexpr double kSteadyRain = 0.2;          // mm/h
 constexpr double kLeastCover = 0.05;
+constexpr double kHighBase = 6000.0;         // m above ground: altocumulus and altostratus stand lower (WMO Cloud Atlas: 2 to 7 km)
 
 bool thundery(Signs const& s) { return s.thunder || (s.code && *s.code >= 95); }
 bool foggy(Signs const& s) { return s.code && (*s.code == 45 || *s.code == 48); }
@@ -76,7 +77,7 @@ double typicalTop(Signs const& s, Genus genus, double cover, double base) {
 Genus diagnosedGenus(Signs const& s, double cover, std::optional<double> baseAboveGround) {
     if (!baseAboveGround) return lowGenus(s, cover, liftingHeight(s));
     double const altitude = s.elevation + *baseAboveGround;
-    if (altitude >= s.bounds.mid_m) return highGenus(cover);
+    if (altitude >= s.bounds.mid_m || *baseAboveGround >= kHighBase) return highGenus(cover);
     if (altitude >= s.bounds.low_m) return midGenus(s, cover);
     return lowGenus(s, cover, *baseAboveGround);
 }

@@ -158,7 +158,7 @@ public:
     /// The same in the order of the file; a report that another one of its time supersedes is filled as if it stood alone.
     std::vector<SiteReport> listedReports() const;
     /// The field over a site, in the shape of a report.
-    FieldReport reportAt(std::size_t site, core::UtcSeconds time) const;
+    FieldReport reportAt(std::size_t site, FieldInstant const& now) const;
 
 private:
     friend class FieldInstant;

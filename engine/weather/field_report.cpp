@@ -102,16 +102,16 @@ std::vector<SiteReport> Field::listedReports() const {
     return listed;
 }
 
-FieldReport Field::reportAt(std::size_t site, core::UtcSeconds time) const {
+FieldReport Field::reportAt(std::size_t site, FieldInstant const& now) const {
     Data const& d = *data_;
     SiteData const& own = d.sites[site];
-    auto const [a, b] = neighboursOf(own.times, time);
+    auto const [a, b] = neighboursOf(own.times, now.time());
     std::vector<Report> const& reports = d.recording.sites[site].reports;
     Report const &left = reports[a], &right = reports[b];
-    Weather const weather = at(own.east, own.north, time);
+    Weather const weather = now.at(own.east, own.north);
     FieldReport answer;
     Report& r = answer.said;
-    r.time = time;
+    r.time = now.time();
     reportSurface(left, right, weather, answer);
     if (!d.recording.sites[site].elevation_m) answer.filled["elevation_m"] = own.elevation;
     if (a == b) r.verticalVisibility_m = left.verticalVisibility_m;

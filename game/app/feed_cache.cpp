@@ -49,7 +49,9 @@ std::optional<KeptNews> readKept(fs::path const& file) {
     try {
         return parsed(file);
     } catch (std::exception const& error) {
-        spdlog::warn("{}: {}; the kept weather is dropped", file.string(), error.what());
+        std::string_view what = error.what();
+        if (what.starts_with(": ")) what.remove_prefix(2);  // the file is named in front
+        spdlog::warn("{}: {}; the kept weather is dropped", file.string(), what);
         fs::remove(file, ignored);
         return std::nullopt;
     }

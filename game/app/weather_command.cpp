@@ -30,7 +30,8 @@ struct WeatherTexts {
 std::vector<std::vector<FieldReport>> shownReports(Field const& field, std::optional<core::UtcSeconds> time) {
     if (!time) return field.reports();
     std::vector<std::vector<FieldReport>> shown;
-    for (std::size_t i = 0; i < field.sites(); ++i) shown.push_back({field.reportAt(i, *time)});
+    weather::FieldInstant const now = field.instant(*time);
+    for (std::size_t i = 0; i < field.sites(); ++i) shown.push_back({field.reportAt(i, now)});
     return shown;
 }
 
@@ -38,7 +39,8 @@ std::vector<std::vector<FieldReport>> shownReports(Field const& field, std::opti
 std::vector<SiteReport> listedReports(Field const& field, std::optional<core::UtcSeconds> time) {
     if (!time) return field.listedReports();
     std::vector<SiteReport> listed;
-    for (std::size_t i = 0; i < field.sites(); ++i) listed.push_back({i, field.reportAt(i, *time)});
+    weather::FieldInstant const now = field.instant(*time);
+    for (std::size_t i = 0; i < field.sites(); ++i) listed.push_back({i, field.reportAt(i, now)});
     return listed;
 }
 

@@ -287,7 +287,7 @@ TEST(Field, NoMoreLayersThanAWeatherHoldsAndNoneFlashesWhenTheyChangeRanks) {
 
 TEST(Field, ReportsInTheShapeOfAReportWhatItUsesBetweenTwo) {
     Field const field = loadWeather(kBasel);
-    FieldReport const between = field.reportAt(0, utc("2023-06-23T18:45Z"));
+    FieldReport const between = field.reportAt(0, field.instant(utc("2023-06-23T18:45Z")));
     EXPECT_TRUE(between.said.temperature_c && between.said.pressure_hpa && between.said.speed_mps);
     EXPECT_FALSE(between.said.visibility_m);
     EXPECT_TRUE(between.filled.contains("visibility_m"));
@@ -295,7 +295,7 @@ TEST(Field, ReportsInTheShapeOfAReportWhatItUsesBetweenTwo) {
     EXPECT_FALSE((*between.said.layers)[0].base_m);
     EXPECT_EQ(std::get<std::string>(between.filled.at("layers[0].genus")), "Cu");
     EXPECT_NEAR(std::get<double>(between.filled.at("layers[0].cover")), 0.13, 0.02);
-    FieldReport const seen = field.reportAt(0, utc("2023-06-23T17:50Z"));
+    FieldReport const seen = field.reportAt(0, field.instant(utc("2023-06-23T17:50Z")));
     EXPECT_EQ((*seen.said.layers)[0].genus, Genus::Cu);
     EXPECT_NEAR(*(*seen.said.layers)[0].cover, 0.125, 1e-6);
 }

@@ -105,14 +105,14 @@ TEST(MetarFiles, AnUnknownStationHasNoPlaceAndItsBasesCountFromZero) {
     Field const field = fieldFrom(recording, {}, {});
     EXPECT_NEAR(*(*field.reports()[0][0].said.layers)[0].base_m, 304.8, 1e-9);
     EXPECT_EQ(std::get<double>(field.reports()[0][0].filled.at("elevation_m")), 0.0);
-    EXPECT_EQ(std::get<double>(field.reportAt(0, field.start()).filled.at("elevation_m")), 0.0);
+    EXPECT_EQ(std::get<double>(field.reportAt(0, field.instant(field.start())).filled.at("elevation_m")), 0.0);
 }
 
 TEST(MetarFiles, AStationWithoutAPlaceBlendsIntoNoOther) {
     Field const field = fieldFrom(parse("ZZZZ 010150Z 27010KT CAVOK 30/05 Q1013\nEGLL 010150Z 27010KT CAVOK 10/05 Q1013\nYYYY 010150Z 27010KT CAVOK M20/M25 Q1013"), {}, {});
     EXPECT_NEAR(field.at(0.0, 0.0, field.start()).temperature, 283.15, 1e-6) << "here is the first that has a place";
-    EXPECT_NEAR(*field.reportAt(0, field.start()).said.temperature_c, 30.0, 1e-6);
-    EXPECT_NEAR(*field.reportAt(2, field.start()).said.temperature_c, -20.0, 1e-6);
+    EXPECT_NEAR(*field.reportAt(0, field.instant(field.start())).said.temperature_c, 30.0, 1e-6);
+    EXPECT_NEAR(*field.reportAt(2, field.instant(field.start())).said.temperature_c, -20.0, 1e-6);
 }
 
 TEST(MetarFiles, ATableGivesItsReportsAndTheirDates) {
