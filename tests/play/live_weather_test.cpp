@@ -75,6 +75,35 @@ TEST_P(Success, IsFlown) {
 }
 INSTANTIATE_TEST_SUITE_P(Modes, Success, testing::Values("ok", "gzip", "redirect", "etag"));
 
+/// What a flight in the live weather of another provider saves.
+nlohmann::json savedFrom(std::string const& settings, std::string& said) {
+    std::string const file = (scratch() / "weather.json").string();
+    said = fly(" --weather live" + setting("interval_s=1") + settings + " --save-weather '" + file + "'", 2).said;
+    return nlohmann::json::parse(fileText(file), nullptr, false);
+}
+
+TEST(LiveWeather, OfStationsAroundIsFlownTheNearestFirst) {
+    WeatherServer const server;
+    std::string said;
+    auto const saved = savedFrom(setting("provider=metar") + setting("metarUrl=" + server.url("stations")), said);
+    EXPECT_NE(said.find("brought a new forecast"), std::string::npos) << said;
+    EXPECT_NE(server.requests().find("bbox="), std::string::npos) << server.requests();
+    std::string const sites = saved["sites"].dump();
+    EXPECT_NE(sites.find("LFSB"), std::string::npos) << sites.substr(0, 300);
+    EXPECT_LT(sites.find("LFSB"), sites.find("LSZH"));
+    EXPECT_LT(sites.find("LSZH"), sites.find("EFHK"));
+}
+
+TEST(LiveWeather, OfMeteoblueIsFlownAndTheKeyIsNotSaved) {
+    WeatherServer const server;
+    std::string said;
+    auto const saved = savedFrom(setting("provider=meteoblue") + setting("meteoblueKey=Sesame5Open") + setting("meteoblueUrl=" + server.url("hours")), said);
+    EXPECT_NE(said.find("brought a new forecast"), std::string::npos) << said;
+    EXPECT_NE(saved["source"].dump().find("meteoblue"), std::string::npos) << saved["source"];
+    EXPECT_EQ(saved.dump().find("Sesame5Open"), std::string::npos);
+    EXPECT_NEAR(saved["sites"][0]["reports"][0]["temperature_c"].get<double>(), 12.5, 0.3);
+}
+
 TEST(LiveWeather, IsNotTakenFromAServerThatNobodyVouchesFor) {
     WeatherServer const server{true};
     Flight const flight = fly(liveFrom(server.url("ok")), 2);

@@ -48,6 +48,28 @@ def forecast(number, now):
                        "timezone_abbreviation": "GMT", "elevation": 316.0, "hourly_units": units, "hourly": hourly}).encode()
 
 
+def stations(now):
+    """Two airports near Basel and one in Finland, as aviationweather.gov's JSON has them, of half an hour ago."""
+    then = int(now // 60) * 60 - 1800
+    group = time.strftime("%d%H%MZ", time.gmtime(then))
+    return json.dumps([{"icaoId": name, "obsTime": then, "rawOb": f"METAR {name} {group} {rest}", "lat": 47.6, "lon": 7.5, "elev": 270} for name, rest in (
+        ("EFHK", "02015KT 9999 OVC010 02/M01 Q0998"), ("LFSB", "24008KT 9999 FEW030 SCT045 12/08 Q1015 NOSIG"),
+        ("LSZH", "26012G25KT 9999 BKN040 11/07 Q1014"))]).encode()
+
+
+def hours(now):
+    """meteoblue's basic-1h and clouds-1h: 6 h before now to 24 h after, in UTC."""
+    start = int(now // 3600) * 3600 - 6 * 3600
+    names = [time.strftime("%Y-%m-%d %H:%M", time.gmtime(start + 3600 * i)) for i in range(31)]
+    values = {"temperature": 12.5, "windspeed": 5.5, "winddirection": 250, "relativehumidity": 70, "sealevelpressure": 1016.0, "precipitation": 0.0,
+              "lowclouds": 40, "midclouds": 20, "highclouds": 60, "totalcloudcover": 40, "visibility": 20000}
+    units = {"time": "YYYY-MM-DD hh:mm", "temperature": "C", "windspeed": "ms-1", "winddirection": "degree", "relativehumidity": "percent",
+             "pressure": "hPa", "precipitation": "mm", "cloudcover": "percent", "visibility": "m"}
+    metadata = {"name": "", "latitude": 47.54, "longitude": 7.58, "height": 316, "timezone_abbrevation": "UTC", "utc_timeoffset": 0.0,
+                "modelrun_utc": names[0], "modelrun_updatetime_utc": names[0], "generation_time_ms": 1.0}
+    return json.dumps({"metadata": metadata, "units": units, "data_1h": {"time": names} | {k: [v] * 31 for k, v in values.items()}}).encode()
+
+
 class Handler(http.server.BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
 
@@ -79,6 +101,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
 
     def mode_ok(self, number):
         self.answer(self.good())
+
+    def mode_stations(self, number):
+        self.answer(stations(time.time()))
+
+    def mode_hours(self, number):
+        self.answer(hours(time.time()))
 
     def mode_changing(self, number):
         self.answer(self.good(number))
