@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/core/math.h"
-#include "engine/weather/field_data.h"
+#include "engine/weather/site_curves.h"
 #include "engine/weather/whole_report.h"
 
 namespace luftpost::weather {
@@ -15,14 +15,6 @@ constexpr double kHandedHeights[] = {20.0,   40.0,   70.0,   110.0,  160.0,  220
 
 ReportedLayer reportedLayer(Layer const& layer) {
     return {layer.genus, static_cast<double>(layer.cover), static_cast<double>(layer.base), static_cast<double>(layer.top)};
-}
-
-/// Where a site stands in the world of a place, m.
-glm::dvec2 eastNorthOf(Site const& site, core::Place const& place) {
-    double const degree = core::radians(1.0) * core::kEarthRadius;
-    double const east = site.lon_deg.value_or(place.lon_deg) - place.lon_deg;
-    return {(east - 360.0 * std::floor((east + 180.0) / 360.0)) * degree * core::cos(core::radians(place.lat_deg)),
-            (site.lat_deg.value_or(place.lat_deg) - place.lat_deg) * degree};
 }
 
 /// The wind of a field over a site as levels.
