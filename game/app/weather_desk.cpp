@@ -8,7 +8,8 @@
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
 #include "engine/weather/presets.h"
-#include "engine/weather/recording.h"
+#include "engine/weather/source.h"
+#include "game/app/weather_source.h"
 
 namespace luftpost::app {
 namespace {
@@ -23,10 +24,11 @@ std::string periodText(weather::Recording const& recording) {
     return fmt::format("{} {} to {} {} UTC", a.substr(0, 10), a.substr(11, 5), b.substr(0, 10) == a.substr(0, 10) ? "" : b.substr(0, 10), b.substr(11, 5));
 }
 
-/// A recording as the menu offers it; none where it does not load.
+/// A recording, in any format, as the menu offers it; none where it does not load.
 std::optional<ui::MenuWeather::Source> recordedSource(std::filesystem::path const& file, std::string const& why) {
     try {
-        weather::Recording const recording = weather::readRecording(file.string());
+        weather::Recording const recording =
+            weather::readWeather("recorded:" + file.string(), std::nullopt, sourceContext(weather::contextOfNow().latest));
         std::string const period = periodText(recording);
         return ui::MenuWeather::Source{"recorded:" + file.string(), recording.name.substr(0, kWidestLabel), why.empty() ? period : period + ". " + why, false};
     } catch (core::Error const&) {

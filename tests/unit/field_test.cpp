@@ -62,6 +62,40 @@ double largestCoverStep(Field const& field, double from, double to) {
 }
 }  // namespace
 
+TEST(Field, BlendsEachQuantityAmongTheSitesThatKnowItAndIsExactAtASite) {
+    Report thermometer = plainReport(0), eye = plainReport(0);
+    thermometer.layers.reset();
+    thermometer.temperature_c = 10.0;
+    eye.temperature_c.reset();
+    eye.dew_point_c.reset();
+    eye.layers->push_back({Genus::St, 1.0, 700.0, 1100.0});
+    eye.speed_mps = 9.0;
+    Field const field = fieldOf({siteOf("a", 47.0, 8.0, {thermometer}), siteOf("b", 47.0, 8.5, {eye})}, PlaceWish{47.0, 8.0, 300.0});
+    double const apart = core::radians(0.5) * core::kEarthRadius * std::cos(core::radians(47.0));
+    for (double const share : {0.0, 0.3, 0.5, 1.0}) {
+        Weather const w = field.at(share * apart, 0.0, kStart);
+        EXPECT_NEAR(w.temperature, 10.0 + 273.15, 1e-6) << "only one has a thermometer";
+        ASSERT_EQ(w.layerCount, 1) << "only one looks up";
+        EXPECT_NEAR(w.layers[0].cover, 1.0, 1e-6);
+        EXPECT_NEAR(w.layers[0].base, 700.0, 1e-3);
+    }
+    EXPECT_NEAR(glm::length(field.at(0.0, 0.0, kStart).windSurface), 5.0, 1e-6);
+    EXPECT_NEAR(glm::length(field.at(apart, 0.0, kStart).windSurface), 9.0, 1e-6);
+    EXPECT_NEAR(glm::length(field.at(0.5 * apart, 0.0, kStart).windSurface), 7.0, 1e-6);
+    double const near = 1.0 / (0.25 * 0.25), far = 1.0 / (0.75 * 0.75);
+    EXPECT_NEAR(glm::length(field.at(0.25 * apart, 0.0, kStart).windSurface), (5.0 * near + 9.0 * far) / (near + far), 1e-6) << "1/d2";
+}
+
+TEST(Field, AMetarSaysNothingOfCirrus) {
+    Report metar = plainReport(0), model = plainReport(0);
+    metar.layersTo_m = 300.0 + 1524.0;
+    model.layers->push_back({Genus::Ci, 0.6, 9000.0, 10000.0});
+    Field const field = fieldOf({siteOf("a", 47.0, 8.0, {metar}), siteOf("b", 47.0, 8.5, {model})}, PlaceWish{47.0, 8.0, 300.0});
+    Weather const w = field.at(10.0, 0.0, kStart);
+    ASSERT_EQ(w.layerCount, 1);
+    EXPECT_NEAR(w.layers[0].cover, 0.6, 1e-6) << "the one that sees so high is asked";
+}
+
 TEST(Field, MeetsTheReportsAtTheirTimes) {
     Field const field = loadWeather(kBasel);
     Weather const w = field.at(0, 0, utc("2023-06-22T17:30Z"));
