@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "engine/core/frames.h"
-#include "engine/core/math.h"
 #include "engine/core/time.h"
 #include "engine/weather/field_data.h"
 #include "engine/weather/genera.h"
@@ -202,8 +199,10 @@ double Field::age(core::UtcSeconds time) const {
 std::string Field::strip(core::UtcSeconds time) const {
     if (data_->origin.mode == SourceMode::Preset) return data_->origin.name;
     if (time < data_->start) return fmt::format("{} · recorded · begins {}", data_->origin.name, core::formatUtc(data_->start));
+    SourceMode const from = data_->origin.mode;
+    char const* const mode = from == SourceMode::Live ? "live" : from == SourceMode::Stale ? "stale" : "recorded";
     double const minutes = std::floor(age(time) / 60.0);
     std::string const old = minutes < 120.0 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.0f} h", std::floor(minutes / 60.0));
-    return fmt::format("{} · recorded · report {} old", data_->origin.name, old);
+    return fmt::format("{} · {} · report {} old", data_->origin.name, mode, old);
 }
 }  // namespace luftpost::weather
