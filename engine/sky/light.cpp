@@ -25,9 +25,9 @@ glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, AirCondition
     glm::vec3 const left = global - direct * static_cast<float>(directShareUnder(cover));
     return glm::max(left, sky * static_cast<float>(share * (1.0 - cover)));
 }
-
-glm::vec3 groundColour(double albedo) { return glm::vec3{1.0f, 1.03f, 0.72f} * static_cast<float>(albedo); }
 }  // namespace
+
+glm::vec3 landAlbedo(AirConditions const& conditions) { return glm::vec3{1.0f, 1.03f, 0.72f} * static_cast<float>(conditions.groundAlbedo); }
 
 float luminance(glm::vec3 const& rgb) { return glm::dot(rgb, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 
@@ -57,8 +57,8 @@ SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double 
     glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
     light.sky = underCover(light.skyClear, direct, conditions);
     glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
-    light.groundRadiance = total * groundColour(conditions.groundAlbedo) / static_cast<float>(core::kPi);
-    light.ground = total * groundColour(conditions.groundAlbedo);
+    light.groundRadiance = total * landAlbedo(conditions) / static_cast<float>(core::kPi);
+    light.ground = total * landAlbedo(conditions);
     light.exposure = exposureFor(meanLuminance(light, state, conditions.cover));
     return light;
 }

@@ -26,6 +26,9 @@ struct SkyLight {
 SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double altitude,
                   AirConditions const& conditions);
 
+/// Albedo of the land in the mean, by colour.
+glm::vec3 landAlbedo(AirConditions const& conditions);
+
 /// The moon's irradiance above the air: Allen's phase law (Astrophysical Quantities), 0.267 lx when full at its mean
 /// distance; a little redder than the sun.
 glm::vec3 moonIrradiance(SkyState const& state);

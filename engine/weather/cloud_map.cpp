@@ -30,7 +30,7 @@ MapTile makeTile(MapKey const& key) {
     Layer layer;
     layer.genus = key.genus;
     layer.pattern = key.pattern;
-    layer.phase = std::max(key.moment, 0) * kMoment[static_cast<std::size_t>(key.level)];
+    layer.phase = key.moment * kMoment[static_cast<std::size_t>(key.level)];
     LayerPattern const pattern{layer, key.seed, key.level == kMapLevels - 1 ? PatternDetail::Coarse : PatternDetail::Whole};
     MapTile tile;
     tile.corner = glm::dvec2{key.place} * placeStep(key.level);

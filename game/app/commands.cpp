@@ -5,6 +5,7 @@ void addCommands(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     addPlayCommand(app, common, chosen);
     addReplayCommand(app, common, chosen);
     addSkyCommand(app, common, chosen);
+    addReferenceCommand(app, common, chosen);
     addBenchCommand(app, common, chosen);
     addWeatherCommand(app, common, chosen);
     addAirCommand(app, common, chosen);

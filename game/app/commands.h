@@ -46,6 +46,7 @@ void addWeatherCommand(CLI::App& app, CommonOptions const& common, Chosen& chose
 void addAirCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 
+void addReferenceCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addBenchCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addTerrainCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);
 void addSettingsCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen);

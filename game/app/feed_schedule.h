@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "game/app/weather_provider.h"
-#include "game/delivery/random.h"
+#include "engine/core/random.h"
 
 namespace luftpost::app {
 /// After an answer the interval; after a failure longer and longer, up to the interval and never less than the server asks for; at
@@ -47,7 +47,7 @@ private:
     }
 
     double interval_;
-    delivery::Random random_;
+    core::Random random_;
     std::optional<double> last_;
     FeedPlace asked_;
     double next_ = 0.0;

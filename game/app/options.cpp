@@ -1,7 +1,9 @@
 #include "game/app/options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <thread>
 
 #include "engine/core/error.h"
 #include "engine/core/time.h"
@@ -76,4 +78,6 @@ PlaceOption placeOption(std::string_view option, std::string_view text) {
         refuse(option, "an altitude -500..20000 m", text);
     return place;
 }
+
+int toolWorkers() { return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 32u)); }
 }  // namespace luftpost::app

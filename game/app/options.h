@@ -25,6 +25,9 @@ glm::ivec2 sizeOption(std::string_view option, std::string_view text);
 /// ISO 8601 UTC.
 core::UtcSeconds timeOption(std::string_view option, std::string_view text);
 
+/// Threads for a tool that has the machine to itself: one for each core, 1..32.
+int toolWorkers();
+
 /// A place of the command line; without an altitude the command takes the nearest site's elevation.
 struct PlaceOption {
     double lat_deg = 0.0;

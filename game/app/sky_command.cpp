@@ -13,6 +13,7 @@
 #include "engine/gl/context.h"
 #include "engine/platform/paths.h"
 #include "engine/platform/surface.h"
+#include "engine/render/reference_picture.h"
 #include "engine/render/renderer.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
@@ -21,6 +22,7 @@
 #include "game/app/colour_comparison.h"
 #include "game/app/commands.h"
 #include "game/app/photo_box.h"
+#include "game/app/options.h"
 #include "game/app/plan.h"
 #include "game/app/weather_source.h"
 
@@ -30,11 +32,12 @@ namespace fs = std::filesystem;
 constexpr double kEyeHeight = 2.0;       // m above the ground
 constexpr double kHighestEye = 20000.0;  // m above sea level
 constexpr long long kMostFrames = 100000;
+constexpr long long kMostSamples = 1 << 24;
 constexpr unsigned kUsualSeed = 1;
 
 /// The command's own options as the command line has them.
 struct SkyTexts {
-    std::string look, fov, exposure, frames, step, plan;
+    std::string look, fov, exposure, frames, step, plan, reference;
     fs::path output, photo, beside;
     bool panorama = false;
     bool dome = false;
@@ -51,6 +54,7 @@ struct SkyRequest {
     double step = 60.0;  // s
     fs::path output;
     double plan_km = 0.0;  // 0: a picture, else the plan of a square this wide
+    int samples = 0;       // 0: as the game draws it, else so many paths for every pixel
     std::vector<assets::PhotoFile> photos;  // to be compared with
     fs::path beside;                        // picture and photograph side by side
 };
@@ -100,6 +104,12 @@ void readPlan(SkyRequest& request, SkyTexts const& texts) {
         throw core::Error{"-o", "", fmt::format("expected FILE.exr with --plan, found {}", request.output.string())};
 }
 
+void readReference(SkyRequest& request, SkyTexts const& texts) {
+    if (texts.reference.empty()) return;
+    if (!(texts.plan.empty() && texts.photo.empty())) throw core::Error{"--reference", "", "expected not together with --plan or --photo"};
+    request.samples = static_cast<int>(wholeOption("--reference", texts.reference, 1, kMostSamples));
+}
+
 /// The photographs are read and refused here, before anything is drawn; which one is nearest is seen frame by frame.
 void readPhotos(SkyRequest& request, SkyTexts const& texts) {
     if (texts.photo.empty()) {
@@ -129,6 +139,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
                           fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
     core::checkOutputFolder("-o", request.output);
     readPlan(request, texts);
+    readReference(request, texts);
     readPhotos(request, texts);
     return request;
 }
@@ -214,11 +225,30 @@ void compareWithPhoto(SkyRequest const& request, assets::Image const& picture, l
     if (!request.beside.empty()) assets::writePng(fileOfFrame(request, request.beside, frame), sideBySide(picture, image));
 }
 
+/// Path-traced frames; says how noisy each is.
+void traceFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
+    weather::NoiseVolumes const noise = noiseVolumes(common.settings.flight.clouds.noise);
+    for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
+        render::Snapshot const snapshot = snapshotOf(request, scene, common, static_cast<double>(frame) * request.step);
+        auto const traced = render::referencePicture(snapshot, common.size, request.samples, noise, toolWorkers());
+        fs::path const file = fileOfFrame(request, request.output, frame);
+        if (isExr(file))
+            assets::writeExr(file, traced.image);
+        else
+            assets::writePng(file, render::developed(traced.image, snapshot.graphics.exposure_ev));
+        fmt::print("{}: median noise {:.2f} %\n", file.string(), 100.0 * traced.noise);
+    }
+}
+
 int runSky(SkyTexts const& texts, CommonOptions const& common) {
     SkyRequest const request = skyRequest(texts);
     Scene const scene{common};
     if (request.plan_km > 0.0) {
         writePlan(scene.field, {request.plan_km * 1000.0, common.size, scene.start, scene.seed, common.settings.flight.clouds}, request.output);
+        return 0;
+    }
+    if (request.samples > 0) {
+        traceFrames(request, scene, common);
         return 0;
     }
     auto const surface = platform::openHeadless(common.size);
@@ -248,6 +278,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
     sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear)");
     sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
+    sky->add_option("--reference", texts->reference, "SPP: path-traced, with so many paths for each pixel; needs no OpenGL");
     sky->add_option("--photo", texts->photo, "FILE or folder: says how alike the colours are (the photograph nearest in time)");
     sky->add_option("--side-by-side", texts->beside, "FILE.png: picture and photograph beside each other, with --photo");
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");

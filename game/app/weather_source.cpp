@@ -78,7 +78,8 @@ weather::Field loadField(std::string const& source, std::optional<weather::Place
 
 weather::Field weatherField(CommonOptions const& common) { return loadField(weatherSource(common), placeWish(common), common); }
 
-weather::NoiseVolumes noiseVolumes() {
+weather::NoiseVolumes noiseVolumes(int seed) {
+    if (seed != static_cast<int>(weather::kNoiseSeed)) return weather::makeNoise(static_cast<unsigned>(seed), toolWorkers());
     return weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
 }
 }  // namespace luftpost::app

@@ -37,6 +37,7 @@ weather::Field loadField(std::string const& source, std::optional<weather::Place
 weather::SourceContext sourceContext(core::UtcSeconds latest);
 /// The field of the common options. Throws core::Error.
 weather::Field weatherField(CommonOptions const& common);
-/// What the build made. Throws core::Error where a file is missing or broken.
-weather::NoiseVolumes noiseVolumes();
+/// The volumes of a seed: of the usual one what the build made, of another made now. Throws core::Error where a file is missing or
+/// broken.
+weather::NoiseVolumes noiseVolumes(int seed = static_cast<int>(weather::kNoiseSeed));
 }  // namespace luftpost::app

@@ -54,7 +54,7 @@ public:
 private:
     DeliveryEvent touchDown(glm::dvec3 const& place, core::GroundFunction const& ground, double t);
 
-    Random random_;
+    core::Random random_;
     DropZone target_;
     ParcelData data_;
     std::optional<Parcel> parcel_;

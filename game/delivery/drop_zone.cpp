@@ -10,7 +10,7 @@ constexpr double kCosSteepest = 0.98480775301220806;  // cos 10 degrees
 constexpr double kHighestZone = 3000.0;               // m above sea level: loaded aircraft get there
 constexpr double kClimbShare = 0.08;                  // m of climb per m of way that every aircraft manages
 
-std::string siteName(Random& random) {
+std::string siteName(core::Random& random) {
     constexpr std::array<std::string_view, 24> kFirst{
         "Linden", "Hohen",  "Stein",   "Eich",    "Birken", "Mühl",   "Alten", "Neu",
         "Wiesen", "Ober",   "Unter",   "Schwarz", "Rosen",  "Falken", "Kirch", "Wald",
@@ -23,7 +23,7 @@ std::string siteName(Random& random) {
 }
 
 /// A direction by throwing darts at the unit disc: no function that differs between machines.
-glm::dvec2 direction(Random& random) {
+glm::dvec2 direction(core::Random& random) {
     while (true) {
         double const x = random.uniform(-1.0, 1.0), y = random.uniform(-1.0, 1.0);
         double const squared = x * x + y * y;
@@ -40,7 +40,7 @@ bool isGoodField(glm::dvec2 place, core::GroundFunction const& ground) {
     return true;
 }
 
-DropZone zoneAt(Random& random, glm::dvec2 place, core::GroundFunction const& ground) {
+DropZone zoneAt(core::Random& random, glm::dvec2 place, core::GroundFunction const& ground) {
     return {siteName(random), place.x, place.y, ground(place.x, place.y).height};
 }
 }  // namespace
@@ -58,7 +58,7 @@ bool isGoodSite(core::GroundSample const& ground) {
     return ground.surface != core::Surface::water && ground.normalWorld.y > kCosSteepest;
 }
 
-DropZone firstDropZone(Random& random, glm::dvec2 start, glm::dvec2 heading,
+DropZone firstDropZone(core::Random& random, glm::dvec2 start, glm::dvec2 heading,
                        core::GroundFunction const& ground) {
     glm::dvec2 const ahead = start + heading * kFirstZoneAhead;
     constexpr int kTries = 4000;
@@ -68,7 +68,7 @@ DropZone firstDropZone(Random& random, glm::dvec2 start, glm::dvec2 heading,
     return zoneAt(random, place, ground);
 }
 
-DropZone nextDropZone(Random& random, DropZone const& last, core::GroundFunction const& ground) {
+DropZone nextDropZone(core::Random& random, DropZone const& last, core::GroundFunction const& ground) {
     constexpr int kTries = 4000, kStrictTries = 400;
     glm::dvec2 place{0.0};
     for (int tried = 0; tried < kTries; ++tried) {

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "engine/core/environment.h"
-#include "game/delivery/random.h"
+#include "engine/core/random.h"
 
 namespace luftpost::delivery {
 inline constexpr double kDropZoneRadius = 150.0;                        // m, a parcel inside is delivered
@@ -28,8 +28,8 @@ bool isGoodSite(core::GroundSample const& ground);
 
 /// The first zone: 2 km along `headingEastNorth` (a unit vector) from the start, or the nearest good site to
 /// that.
-DropZone firstDropZone(Random& random, glm::dvec2 startEastNorth, glm::dvec2 headingEastNorth,
+DropZone firstDropZone(core::Random& random, glm::dvec2 startEastNorth, glm::dvec2 headingEastNorth,
                        core::GroundFunction const& ground);
 /// The next zone: 1.5 to 6 km from the last, on a good site that one can climb to on the way.
-DropZone nextDropZone(Random& random, DropZone const& last, core::GroundFunction const& ground);
+DropZone nextDropZone(core::Random& random, DropZone const& last, core::GroundFunction const& ground);
 }  // namespace luftpost::delivery

@@ -107,8 +107,11 @@ GLSL_FUNCTION float lobePhase(float nu, float g) {
 /// Phase function of haze, 1/sr: three lobes fitted, within 30 % from 2 to 180 degrees, to Mie's theory for the
 /// average continental aerosol of Hess, Koepke and Schult 1998 (OPAC) at 70 % humidity and 545 nm. One lobe alone cannot
 /// do it: what makes the aureole leaves a third of the light at 60 degrees, and the zenith too dark by as much.
+GLSL_CONST vec3 kHazeShares = vec3(0.955f, 0.025f, 0.02f);
+GLSL_CONST vec3 kHazeLobes = vec3(0.67f, 0.97f, -0.4f);
 GLSL_FUNCTION float hazePhase(float nu) {
-    return 0.955f * lobePhase(nu, 0.67f) + 0.025f * lobePhase(nu, 0.97f) + 0.02f * lobePhase(nu, -0.4f);
+    return kHazeShares.x * lobePhase(nu, kHazeLobes.x) + kHazeShares.y * lobePhase(nu, kHazeLobes.y) +
+           kHazeShares.z * lobePhase(nu, kHazeLobes.z);
 }
 
 // ---------------------------------------------------------------------------------- table one: the transmittance

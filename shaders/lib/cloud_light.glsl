@@ -19,6 +19,8 @@
 GLSL_BEGIN
 
 GLSL_CONST float kIsotropic = 0.0795774715f;  // 1 / (4 pi)
+GLSL_CONST float kIceShare = 0.92f;           // asymmetry of crystals over that of droplets
+GLSL_CONST float kSunGivesWay = -0.14f;       // sine of the sun's elevation below which clouds are lit by the moon
 
 // Henyey and Greenstein, 1/sr; `cosine` between the ways in and out; integrates to 1 over the sphere.
 GLSL_FUNCTION float henyeyGreenstein(float cosine, float g) {
@@ -26,9 +28,12 @@ GLSL_FUNCTION float henyeyGreenstein(float cosine, float g) {
     return kIsotropic * (1.0f - g * g) / (k * sqrt(k));
 }
 
-// Cloud droplets: the forward lobe of asymmetry g, and a tenth that comes back (the glory's side).
+// Cloud droplets: a forward lobe of asymmetry g, and a little that comes back. With g = 0.91 the mean cosine is 0.85, as
+// Mie's theory has it for droplets of 10 um, and the sides and the back are as bright as its mean over their sizes.
+GLSL_CONST float kBackwardShare = 0.04f;
+GLSL_CONST float kBackward = -0.6f;
 GLSL_FUNCTION float cloudPhase(float cosine, float g) {
-    return 0.9f * henyeyGreenstein(cosine, g) + 0.1f * henyeyGreenstein(cosine, -0.3f);
+    return (1.0f - kBackwardShare) * henyeyGreenstein(cosine, g) + kBackwardShare * henyeyGreenstein(cosine, kBackward);
 }
 
 // Share of a flux that gets through optical depth t of a cloud that absorbs nothing (two streams).

@@ -83,7 +83,7 @@ struct KeyLight {
     float radius;
 };
 KeyLight keyLight() {
-    bool sunlit = sky.lights.sun.y > -0.14;
+    bool sunlit = sky.lights.sun.y > kSunGivesWay;
     return sunlit ? KeyLight(sky.lights.sun.xyz, sky.lights.sunLight.rgb, sky.lights.sun.w)
                   : KeyLight(sky.lights.moon.xyz, sky.lights.moonLight.rgb, sky.lights.moon.w);
 }
@@ -143,7 +143,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
     LightThere there = lightThere(place, direction, t, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = straight / slope;
-    vec3 light = there.beam * litByBeam(dot(direction, key.toward), 0.8 * clouds.light.x, toLight, straight, 2.0 * straight, 0.0) +
+    vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 0.0) +
                  litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
     MarchResult result;
     result.through = exp(-depth);

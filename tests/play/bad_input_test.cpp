@@ -32,6 +32,31 @@ TEST(BadInput, NamesTheNearestKnownSettingCommandOrOption) {
     expectRefused("sky weather preset:fair", {"weather"});
 }
 
+TEST(BadInput, IsFoundInTheReference) {
+    std::string const out = "-o " + (scratch() / "r.exr").string();
+    expectRefused("sky --reference 0 " + out, {"--reference", "1..", "0"});
+    expectRefused("sky --reference many " + out, {"--reference", "many"});
+    expectRefused("sky --reference 4 --plan 20 " + out, {"--reference", "--plan"});
+    auto const asked = [](std::string const& name, std::string const& text) {
+        path const file = scratch() / (name + ".json");
+        writeText(file, text);
+        return "reference --case " + file.string() + " --json " + (scratch() / "out.json").string();
+    };
+    auto const with = [](std::string const& columns, std::string const& rest) { return "{\"columns\":" + columns + ",\"width_km\":0.5,\"thickness_km\":0.25," + rest + "}"; };
+    std::string const good = "\"g\":0.85,\"albedo\":1,\"sun_zenith_deg\":0,\"photons\":1000";
+    expectRefused("reference --case /no/such.json --json /tmp/x.json", {"/no/such.json"});
+    expectRefused("reference --json /tmp/x.json", {"--case"});
+    expectRefused(asked("broken", "{\"columns\":[1,"), {"broken.json", "byte", "JSON"});
+    expectRefused(asked("list", "[1]"), {"list.json", "an object"});
+    expectRefused(asked("none", with("[]", good)), {"none.json", "columns", "1..65536"});
+    expectRefused(asked("negative", with("[1,-2]", good)), {"negative.json", "columns[1]", "-2"});
+    expectRefused(asked("text", with("[1,\"two\"]", good)), {"columns[1]", "two"});
+    expectRefused(asked("missing", with("[1]", "\"g\":0.85,\"albedo\":1,\"photons\":1")), {"sun_zenith_deg", "not there"});
+    expectRefused(asked("level", with("[1]", "\"g\":0.85,\"albedo\":1,\"sun_zenith_deg\":90,\"photons\":1")), {"sun_zenith_deg", "90"});
+    expectRefused(asked("g", with("[1]", "\"g\":1,\"albedo\":1,\"sun_zenith_deg\":0,\"photons\":1")), {"g", "-1", "1"});
+    expectRefused(asked("part", with("[1]", "\"g\":0,\"albedo\":1,\"sun_zenith_deg\":0,\"photons\":1.5")), {"photons", "whole"});
+}
+
 TEST(BadInput, IsFoundInEveryOption) {
     expectRefused("play --headless", {"--seconds"});
     expectRefused("play --headless --seconds abc", {"--seconds", "abc"});

@@ -179,6 +179,21 @@ TEST(CloudMap, HoldsTheRanksOfItsTexelsCentres) {
     }
 }
 
+// Time may run before the first report, too: drift and phase are then negative.
+TEST(CloudMap, HoldsTheRanksOfAnHourBeforeTheFirstReport) {
+    Layer layer = weatherOf(Genus::Cu, 0.4f, 900.0f).layers[0];
+    layer.phase = -37.5;
+    layer.drift = {-9.0e5, 1.0e5};
+    MapKey const key = mapKey(layer, 0, {0.0, 0.0}, 4, 1.0f);
+    MapTile const tile = makeTile(key);
+    LayerPattern const pattern{layer, 4};
+    double const texel = kMapWidths[0] / kMapSize;
+    for (int i = 3; i < kMapSize; i += 97) {
+        double const east = tile.corner.x + (i + 0.5) * texel, south = tile.corner.y + (200 + 0.5) * texel;
+        EXPECT_NEAR(static_cast<float>(tile.ranks[static_cast<std::size_t>(200 * kMapSize + i)]) / 65535.0f, pattern.drifting(east, -south), 0.02f);
+    }
+}
+
 TEST(CloudMap, HandsOverWhatIsWantedAndNothingTwice) {
     CloudMap map{2};
     MapLayers layers{};

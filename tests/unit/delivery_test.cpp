@@ -84,7 +84,7 @@ TEST(DropZone, IsWorthAHundredPointsInTheCentreAndNoneOutside) {
 }
 
 TEST(DropZone, LiesTwoKilometresAheadFirst) {
-    Random random{7};
+    core::Random random{7};
     DropZone const zone = firstDropZone(random, {100.0, 50.0}, {1.0, 0.0}, kFlat);
     EXPECT_DOUBLE_EQ(zone.east, 2100.0);
     EXPECT_DOUBLE_EQ(zone.north, 50.0);
@@ -102,7 +102,7 @@ TEST(DropZone, LiesOnLandAndNeverOnASlope) {
             ground.normalWorld = {std::sin(core::radians(11.0)), std::cos(core::radians(11.0)), 0.0};
         return ground;
     };
-    Random random{3};
+    core::Random random{3};
     DropZone zone = firstDropZone(random, {0.0, 0.0}, {0.0, 1.0}, strips);
     for (int i = 0; i < 200; ++i) {
         EXPECT_TRUE(isGoodSite(strips(zone.east, zone.north)));
@@ -115,7 +115,7 @@ TEST(DropZone, LiesOnLandAndNeverOnASlope) {
 }
 
 TEST(DropZone, IsTheSameForTheSameDice) {
-    Random first{5}, second{5}, other{6};
+    core::Random first{5}, second{5}, other{6};
     DropZone const last{"here", 0.0, 0.0, 0.0};
     DropZone const a = nextDropZone(first, last, kFlat), b = nextDropZone(second, last, kFlat);
     EXPECT_EQ(a.east, b.east);

@@ -1,8 +1,8 @@
-// The game's own dice: the same throws on every machine, its state one number that is saved and hashed.
+// Dice: the same throws on every machine, the state one number that can be saved and hashed.
 #pragma once
 #include <cstdint>
 
-namespace luftpost::delivery {
+namespace luftpost::core {
 /// SplitMix64 (Steele, Lea, Flood 2014): every state is good, every seed gives another sequence.
 class Random {
 public:
@@ -25,4 +25,4 @@ public:
 private:
     std::uint64_t state_;
 };
-}  // namespace luftpost::delivery
+}  // namespace luftpost::core

@@ -1,0 +1,57 @@
+// Air, clouds and ground of a snapshot as one medium of sky/path_tracer.h: what the game's sky is held against. The frame is
+// that of the bent picture: m from the camera, x east, y up, z south; straight rays. No GL; any thread.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "engine/render/reference_clouds.h"
+#include "engine/sky/atmosphere.h"
+#include "engine/sky/path_tracer.h"
+
+namespace luftpost::render {
+/// The medium. The ground is a sphere of the land's mean colour at the place's altitude. The light is the sun, or the moon
+/// once the sun gives less; what the air takes from it on its straight way comes from a table, the clouds' part is
+/// tracked. Stars, airglow and what falls from the clouds are left out.
+class ReferenceSky {
+public:
+    enum Kind { kDroplets, kIce, kMolecules, kHaze };
+    static constexpr int kKinds = 4;
+
+    ReferenceSky(Snapshot const& snapshot, weather::NoiseVolumes const& noise, int workers);
+
+    sky::Stretch stretchAt(sky::PathRay const& ray, double from) const;
+    sky::MediumPoint<kKinds> at(glm::dvec3 const& place) const;
+    sky::Phase const& phase(int kind) const { return phases_[static_cast<std::size_t>(kind)]; }
+    double surface(sky::PathRay const& ray) const;
+    sky::MediumFace face(glm::dvec3 const& place) const;
+    sky::SunThere sun(glm::dvec3 const& place, core::Random& random) const;
+    sky::Stretch shadowStretchAt(sky::PathRay const& ray, double from) const;
+    float shadowExtinction(glm::dvec3 const& place) const;
+    glm::vec3 beyond(sky::PathRay const& ray, bool seen) const;
+
+private:
+    struct Light {
+        glm::dvec3 toward{0.0, 1.0, 0.0};
+        glm::vec3 above{0.0f};  // irradiance above the air
+        double radius = 0.00465;
+    };
+    double altitudeOf(glm::dvec3 const& place) const;
+    glm::dvec3 flatOf(glm::dvec3 const& place, double altitude) const;
+    double crossing(sky::PathRay const& ray, double from, double altitude, bool outward) const;
+    sky::Stretch cloudStretch(sky::PathRay const& ray, double from, glm::dvec3 const& place, double altitude) const;
+    glm::vec3 throughAir(double altitude, double cosine, double radius) const;
+    void makeBands();
+    void makeTable();
+
+    double eye_;     // m above sea level
+    double ground_;  // m above sea level
+    glm::vec3 albedo_;
+    glsl::Atmosphere air_;
+    Light light_;
+    ReferenceClouds clouds_;
+    std::array<sky::Phase, kKinds> phases_;
+    std::vector<double> bands_;        // altitudes between which one majorant holds, rising
+    std::vector<float> bandMajorants_; // of the air, 1/m: [i] from bands_[i] to bands_[i + 1]
+    std::vector<glm::vec4> transmittance_;
+};
+}  // namespace luftpost::render
