@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/frames.h"
+#include "engine/core/math.h"
 #include "engine/weather/cloud_cover_table.h"
 #include "engine/weather/genera.h"
 #include "shaders/lib/cloud.glsl"
@@ -31,13 +33,14 @@ constexpr std::array<Form, kGenera> kForms{{
     /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.0f, 0.75, false, 0.0, 0.0},
     /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
     /* Cu */ {0.50f, 0.0f, 300.0f, 140.0f, 20.0f, 0.05f, 0.45f, 1100.0f, 0.0f, 1.0, false, 0.0, 0.0},
-    /* Cb */ {0.28f, 0.0f, 1500.0f, 220.0f, 50.0f, 0.03f, 0.25f, 5000.0f, 0.15f, 3.0, false, 0.0, 0.0},
+    /* Cb */ {0.28f, 0.0f, 1200.0f, 180.0f, 50.0f, 0.03f, 0.22f, 5000.0f, 0.65f, 1.5, false, 0.0, 0.0},
     /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
 
 constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
+constexpr float kNoAnvil = 2000.0f, kWholeAnvil = 3500.0f;  // m, thickness from which a top is ice that spreads
 constexpr double kDetailPace = 1.08;                  // the detail drifts faster than the clouds it eats at
 constexpr double kDetailRise = 900.0;                 // m/h, the boiling of the edges
 
@@ -61,6 +64,18 @@ float coreWater(Layer const& layer, Weather const& weather) {
     double const opacity = static_cast<double>(extinctionOfWater(layer.genus));
     double const seen = formOf(layer.genus).sheet ? 0.0 : kSeenDepth / (opacity * thickness);
     return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
+}
+
+/// Where between lib/cloud's eight lattice ways, 0..8, a wind (m/s, east and north) blows, or the way back.
+float latticeWayOf(glm::dvec2 const& wind) {
+    double turn = core::atan2(-wind.y, wind.x) * 2.0 / core::kPi;  // quarters, east by south
+    turn -= 2.0 * std::floor(turn * 0.5);                         // a streak has no direction
+    constexpr std::array<double, 4> kTurns{0.0, 0.29516723530086653, 0.5, 0.7048327646991335};  // of (1, 0), (2, 1), (1, 1), (1, 2)
+    double const quarter = std::floor(turn), within = turn - quarter;
+    std::size_t k = 3;
+    while (within < kTurns[k]) --k;
+    double const next = k < 3 ? kTurns[k + 1] : 1.0;
+    return static_cast<float>(4.0 * quarter + static_cast<double>(k) + (within - kTurns[k]) / (next - kTurns[k]));
 }
 
 glsl::LayerColumn emptyLayer() { return {1.0f, kEmpty, -1.0e5f, -1.0e5f + 1.0f, 0.0f}; }
@@ -150,7 +165,8 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
         shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, extinctionOfWater(layer.genus)};
         float const threshold = std::clamp(calibratedCover(layer.genus, layer.cover, layer.top - layer.base), 0.0f, kClosed);
-        shape.body = {form.reach, threshold - layer.cover, form.anvil, 0.0f};
+        float const anvil = form.anvil * glsl::ramp(layer.top - layer.base, kNoAnvil, kWholeAnvil);
+        shape.body = {form.reach, threshold - layer.cover, anvil, anvil > 0.0f ? latticeWayOf(layer.wind) : 0.0f};
         double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;
         double const rise = layer.phase * kDetailRise;
         shape.anchor = glm::vec4{anchorOf(originEastNorth, layer.drift, 0.0, (form.sheet ? kSheetPeriod : kAnchorPeriod) * scale),

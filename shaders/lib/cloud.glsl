@@ -13,6 +13,8 @@
 // between, which is what cauliflower is. Fine noise eats at what is left, wisps below and billows above. Metres, not
 // shares of a height, so that a small cloud is as rough as a large one. What lies deeper than the edge's softness is
 // cloud. A flat base is a face of its own that nothing pushes.
+// A cumulonimbus is two bodies over one rank: its towers stand on the inner part of its cover, and where they meet the
+// tropopause their ice spreads out to the whole of it, an anvil in streaks along the wind, thick at the tower and thin at the rim.
 // The density never falls as the margin grows, so a threshold of the rank (weather/cloud_column's table) puts right what
 // the noise takes from the cover.
 // Perlin-Worley and Worley billows, and the turn from wisps to billows, are Schneider's (GPU Pro 7, chapter 4).
@@ -60,9 +62,20 @@ GLSL_FUNCTION vec4 planeNoise(sampler3D curl, LayerShape s, vec3 p, float lod) {
 // 0 at an empty and at a closed cover, 1 between: outlines fray only where there are outlines.
 GLSL_FUNCTION float frayWindow(float cover) { return clamp(8.0f * cover * (1.0f - cover), 0.0f, 1.0f); }
 
-// How far inside its outline the layer is over a point, in rank: below 0 there is none of it. High up an anvil spreads.
+// How far inside its outline the layer is over a point, in rank: below 0 there is none of it.
 GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
     return c.cover - c.rank + fray * s.look.y * frayWindow(c.cover);
+}
+
+// By how much of the rank an anvil reaches beyond its towers; the wider its layer's cover, the less of it.
+GLSL_FUNCTION float anvilReach(float cover, LayerShape s) { return s.body.z * clamp(cover, 0.0f, 0.45f); }
+
+// The threshold of the rank under which the towers of a layer stand.
+GLSL_FUNCTION float towerCover(float cover, LayerShape s) { return cover - anvilReach(cover, s); }
+
+// The margin at which a tower reaches its full height: where there are few, each still does.
+GLSL_FUNCTION float towerWidth(float cover, LayerShape s) {
+    return s.body.z > 0.0f ? clamp(0.6f * cover, 0.02f, s.form.x) : s.form.x;
 }
 
 // Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides.
@@ -104,13 +117,13 @@ struct Envelope {
     float steep;
 };
 
-GLSL_FUNCTION Envelope envelopeAt(float margin, float thickness, float lower, LayerShape s) {
-    float x = clamp(1.0f - margin / s.form.x, 0.0f, 2.0f);  // over 1: outside, where the side goes on down
+GLSL_FUNCTION Envelope envelopeAt(float margin, float width, float thickness, float lower, LayerShape s) {
+    float x = clamp(1.0f - margin / width, 0.0f, 2.0f);  // over 1: outside, where the side goes on down
     float rise = (1.0f - x * x) * lower;
     Envelope e;
     e.high = rise * thickness;
     e.low = s.form.y * (1.0f - rise) * thickness;
-    e.steep = 2.0f * x * lower * thickness / (s.form.x * s.body.x);
+    e.steep = 2.0f * x * lower * thickness / (width * s.body.x);
     return e;
 }
 
@@ -142,32 +155,35 @@ GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sam
     return mix(wisps, 1.0f - wisps, clamp(share * 5.0f, 0.0f, 1.0f));
 }
 
-// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
-// at lod n faces are blurred as what is 32 m 2^n wide sees them.
-GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
-                                      sampler3D curl, float lod) {
+// A layer with a body, its anvil apart.
+GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+                                     sampler3D curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
-    if (above <= 0.0f || above >= thickness) return result;
-    if (s.look.z > 0.5f) {
-        float share = above / thickness;
-        result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
-        return result;
-    }
+    LayerColumn towers = c;
+    towers.cover = towerCover(c.cover, s);
     float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;  // m; half of it reaches outside
     float reaches = 0.5f * blur;
-    result.outside = (c.rank - c.cover - s.look.y - s.body.z) * s.body.x;
+    result.outside = (c.rank - towers.cover - s.look.y) * s.body.x;
     if (result.outside >= reaches) return result;
     vec4 plane = vec4(0.0f);
     if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
-    float margin = layerMargin(c, s, plane.z) + s.body.z * smoothstep(0.62f, 0.92f, above / thickness);
+    float margin = layerMargin(towers, s, plane.z);
     result.outside = -margin * s.body.x;
     if (result.outside >= reaches) return result;
 
     // Metres inside the envelope's faces.
-    Envelope e = envelopeAt(margin, thickness, heightShare(p, s, curl), s);
+    float width = towerWidth(towers.cover, s);
+    float lower = heightShare(p, s, curl);
+    Envelope e = envelopeAt(margin, width, thickness, lower, s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
+    if (s.body.z > 0.0f) {
+        // The wall of a tower is as near as it stands in the plane: where the rank has its low, it grows like the square of the way.
+        float wall = width * (1.0f - sqrt(max(1.0f - above / (lower * thickness), 0.0f)));
+        float way = sqrt(max(towers.cover - wall, 0.0f)) - sqrt(max(towers.cover - margin, 0.0f));
+        belowTop = roundedMin(belowTop, way * s.body.x, 600.0f);
+    }
     result.outside = -belowTop;
     if (result.outside >= reaches) return result;
     float lens = s.form.y;
@@ -177,6 +193,8 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
     float reach = min(s.form.z, 0.25f * thickness);
     float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
+    if (s.body.z > 0.0f)  // turrets upon turrets
+        carve = 0.65f * carve + s.body.z * reach * (1.0f - billowOf(textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f))));
     float ripple = min(s.form.w, 0.1f * thickness);
     float soft = min(s.look.x, 0.3f * thickness);
     float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
@@ -205,15 +223,128 @@ GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampl
     return result;
 }
 
+// ------------------------------------------------------------------------------------------------------- the anvil
+
+// Of the layer's height: where the anvil's underside meets the tower, where it lies beside it, and where its top is. What is
+// above are the tops that shoot over.
+GLSL_CONST float kAnvilFoot = 0.76f;
+GLSL_CONST float kAnvilRim = 0.85f;
+GLSL_CONST float kAnvilTop = 0.94f;
+GLSL_CONST float kAnvilFray = 0.16f;  // of the rank: how far its streaks reach beyond their mean
+GLSL_CONST float kAnvilIce = 0.11f;   // extinction beside the tower, of that in it: 0.25 g/m3 of crystals of 35 um for 1.2 g/m3 of drops of 15 um
+
+// The ways along which streaks can lie so that they repeat with the anchor: (1, 0), (2, 1), (1, 1), (1, 2), and the same a
+// quarter turn on. `k`: 0..8, east by south.
+GLSL_FUNCTION vec2 latticeWay(int k) {
+    int m = k - (k / 4) * 4;
+    vec2 way = vec2(m < 3 ? float(1 + (m & 1)) : 1.0f, m < 2 ? float(m) : float(m - 1));
+    return (k / 4) % 2 == 0 ? way : vec2(-way.y, way.x);
+}
+
+// Streaks of the plane along one of them, -1..1: about 2 km long, and 200 m and 70 m wide.
+GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, sampler3D curl, float lod) {
+    vec2 way = latticeWay(k);
+    float unit = s.anchor.w * (1.0f / 3.0f);  // 1/m: the anchor repeats after three periods of the shape
+    float x = (p.x + s.anchor.x) * unit;
+    float z = (p.z + s.anchor.z) * unit;
+    float along = x * way.x + z * way.y;
+    float across = z * way.x - x * way.y;
+    float narrow = floor(12.0f / length(way) + 0.5f);
+    vec4 bend = textureLod(curl, vec3(x, z, 0.25f), max(lod, 2.0f)) * 2.0f - vec4(1.0f);
+    float broad = textureLod(curl, vec3(along, across * narrow + 0.04f * bend.y, 0.5f), lod).w;
+    float fine = textureLod(curl, vec3(along * 2.0f, across * narrow * 3.0f + 0.06f * bend.x, 0.75f), lod + 1.0f).z;
+    return 1.2f * broad + 0.8f * fine - 1.0f;
+}
+
+// Streaks along the layer's wind: between two ways of the lattice they pass over from the one to the other.
+GLSL_FUNCTION float anvilStreaks(vec3 p, LayerShape s, sampler3D curl, float lod) {
+    int k = int(floor(s.body.w));
+    float next = smoothstep(0.35f, 0.65f, s.body.w - float(k));
+    float streaks = next < 1.0f ? (1.0f - next) * streaksAlong(p, k, s, curl, lod) : 0.0f;
+    return next > 0.0f ? streaks + next * streaksAlong(p, k + 1, s, curl, lod) : streaks;
+}
+
+GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D curl, float lod) {
+    float thickness = c.top - c.base;
+    float above = p.y - c.base;
+    CloudSample result = noCloud();
+    float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;
+    float reaches = 0.5f * blur;
+    result.outside = max((c.rank - c.cover - kAnvilFray) * s.body.x, max(kAnvilFoot * thickness - above, above - kAnvilTop * thickness));
+    if (result.outside >= reaches) return result;
+    float streaks = anvilStreaks(p, s, curl, max(lod - 0.5f, 0.0f));
+    float margin = c.cover - c.rank + kAnvilFray * frayWindow(c.cover) * streaks;
+    result.outside = -margin * s.body.x;
+    if (result.outside >= reaches) return result;
+
+    float near = clamp(margin / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f);  // 0 at the rim, 1 at the tower
+    // A lens whose underside sinks once more where it meets the tower.
+    float tower = clamp(2.0f * mix(c.cover - c.rank, margin, 0.35f) / max(anvilReach(c.cover, s), 1e-3f) - 2.0f, 0.0f, 1.0f);
+    float lens = 1.0f - (1.0f - near) * (1.0f - near);
+    float high = (kAnvilTop + 0.010f * streaks - 0.045f * (1.0f - lens)) * thickness;
+    float low = (mix(kAnvilTop - 0.045f, kAnvilRim, near) - (kAnvilRim - kAnvilFoot) * tower * tower) * thickness;
+    float inside = min(above - low, high - above);
+    result.outside = -inside;
+    if (result.outside >= reaches) return result;
+    float soft = 0.02f * thickness;
+    float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
+    float strand = clamp(1.0f + 0.9f * streaks, 0.0f, 1.7f);
+    float thick = near * near;
+    float ice = c.water * s.look.w * kAnvilIce * mix(0.006f * smoothstep(0.0f, 0.1f, near), 1.0f, thick * thick) * mix(strand, 1.0f, near);
+    result.outside = max(-inside, 0.0f);
+    inside = max(inside, 0.0f);
+    result.depth = ice * inside;
+    result.bulk = ice * min(high - low, 2.0f * max(margin, 0.0f) * s.body.x);
+    result.above = 0.8f * ice * max(high - above, 0.0f);
+    result.below = 0.8f * ice * max(above - low, 0.0f);
+    result.extinction = edge * ice;
+    return result;
+}
+
+// Two bodies at one point.
+GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
+    CloudSample sum = a;
+    sum.outside = min(a.outside, b.outside);
+    if (b.extinction <= 0.0f) return sum;
+    float share = b.extinction / (a.extinction + b.extinction);
+    sum.depth = max(a.depth, b.depth);
+    sum.bulk = max(a.bulk, b.bulk);
+    sum.above = mix(a.above, b.above, share);
+    sum.below = mix(a.below, b.below, share);
+    sum.extinction = a.extinction + b.extinction;
+    return sum;
+}
+
+// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
+// at lod n faces are blurred as what is 32 m 2^n wide sees them.
+GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+                                      sampler3D curl, float lod) {
+    float thickness = c.top - c.base;
+    float share = (p.y - c.base) / thickness;
+    CloudSample result = noCloud();
+    if (share <= 0.0f || share >= 1.0f) return result;
+    if (s.look.z > 0.5f) {
+        result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
+        return result;
+    }
+    result = bodySample(p, c, s, shape, detail, curl, lod);
+    if (s.body.z > 0.0f) result = together(result, anvilSample(p, c, s, curl, lod));
+    return result;
+}
+
 // Optical depth of one layer's envelope on a straight way through it, `up` the sine of the way's elevation: no noise, so
 // cheap; for what is far from the eye. A slanting way passes many clouds and gaps: what gets through nears their mean.
 GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     float thickness = c.top - c.base;
-    float margin = c.cover - c.rank;
     bool sheet = s.look.z > 0.5f;
+    float towers = towerCover(c.cover, s);
+    float margin = towers - c.rank;
+    float width = towerWidth(towers, s);
     float full = 0.6f * c.water * s.look.w * thickness / up;
-    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, s.form.x));
-    float share = clamp(c.cover, 0.0f, 0.99f);
+    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, width) : riseAt(margin, width));
+    float near = s.body.z > 0.0f ? clamp((c.cover - c.rank) / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f) : 0.0f;
+    here += full * kAnvilIce * (kAnvilTop - kAnvilFoot) * near * near * near;
+    float share = clamp(towers, 0.0f, 0.99f);
     float mean = -log(1.0f - share + share * exp(-min(0.7f * full, 40.0f)));
     return mix(here, mean, clamp(thickness * sqrt(1.0f - up * up) / (up * 3000.0f), 0.0f, 1.0f));
 }

@@ -33,7 +33,7 @@ LayerColumn columnAt(int layer, vec2 place, out float coarse) {
     LayerField field = clouds.fields[layer];
     vec4 v = clamp(field.centre + field.eastward * place.x + field.southward * place.y, field.low, field.high);
     vec2 rank = rankAt(layer, place);
-    coarse = rank.y;
+    coarse = clouds.shapes[layer].body.z > 0.0 ? 0.0 : rank.y;  // what has an anvil is large enough to be drawn whole anywhere
     return LayerColumn(rank.x, v.x, v.y, v.z, v.w);
 }
 
@@ -84,9 +84,12 @@ bool cloudMayBeAt(vec3 p) {
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
-        float margin = c.cover - c.rank + s.look.y + s.body.z + 0.4 * coarse;
-        if (margin <= 0.0 || p.y <= c.base || p.y >= c.top) continue;
-        if (p.y - c.base <= riseAt(margin, s.form.x) * (c.top - c.base) || coarse > 0.0) return true;
+        if (p.y <= c.base || p.y >= c.top) continue;
+        float share = (p.y - c.base) / (c.top - c.base);
+        float towers = towerCover(c.cover, s);
+        float margin = towers - c.rank + s.look.y + 0.4 * coarse;
+        if (margin > 0.0 && (share <= riseAt(margin, towerWidth(towers, s)) || coarse > 0.0)) return true;
+        if (s.body.z > 0.0 && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0) return true;
     }
     return false;
 }

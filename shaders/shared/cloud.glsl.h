@@ -29,8 +29,8 @@ struct LayerShape {
                   // base, of a sheet how far strands stand out of its veil, 0..1; z: m, how far billows push the faces in; w: m, how far the detail does
     vec4 look;    // x: m, softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction
                   // of one kg/m3
-    vec4 body;    // x: m in the plane over which the rank changes by 1; y: by how much the threshold is above the cover; z: rank by
-                  // which the top spreads out beyond its base
+    vec4 body;    // x: m in the plane over which the rank changes by 1; y: by how much the threshold is above the cover; z: share of a
+                  // small cover that is anvil alone, 0: none; w: 0..8, along which of lib/cloud's ways the anvil's streaks lie
     vec4 anchor;  // xyz: m, add to a position to come to the frame that drifts with the layer (wrapped); w: 1/m, periods
                   // of the shape volume
     vec4 detail;  // the same of the detail volume, which drifts a little faster

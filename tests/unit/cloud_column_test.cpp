@@ -1,6 +1,7 @@
 // Cloud columns: ranks are uniform, cover is the cover, density follows the margin.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <thread>
 #include <vector>
 
@@ -144,6 +145,76 @@ TEST(CloudColumn, DensityNeverFallsAsTheCoverRises) {
                 EXPECT_GE(now, before - 2e-3f) << genusName(genus);
                 before = now;
             }
+        }
+    }
+}
+
+/// Share of the plane with cloud at a share of the layer's height, and the mean extinction of it.
+struct Level { double share = 0.0, extinction = 0.0; };
+Level levelOf(Weather const& weather, float height) {
+    CloudColumns const columns{weather, 1};
+    glsl::LayerShape const shape = cloudShape(weather, 1, glm::dvec2{0.0}).layers[0];
+    Level level;
+    int const n = 60;
+    int found = 0;
+    for (int i = 0; i < n * n; ++i) {
+        double const east = i % n * 1900.0, north = i / n * 1900.0;
+        glsl::LayerColumn const column = columns.at(east, north).layers[0];
+        glm::vec3 const p{static_cast<float>(east), column.base + height * (column.top - column.base), static_cast<float>(-north)};
+        float const extinction = glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(), noise().curl.sampler(), 0.0f).extinction;
+        if (extinction < 1e-5f) continue;
+        ++found;
+        level.extinction += static_cast<double>(extinction);
+    }
+    level.share = static_cast<double>(found) / (n * n);
+    level.extinction /= std::max(found, 1);
+    return level;
+}
+
+TEST(Anvil, IsThinIceThatSpreadsOverItsTowersUnderTheTropopause) {
+    for (float cover : {0.15f, 0.3f, 0.6f}) {
+        Weather const weather = weatherOf(Genus::Cb, cover, 10000.0f);
+        Level const tower = levelOf(weather, 0.45f), anvil = levelOf(weather, 0.91f), over = levelOf(weather, 0.97f);
+        EXPECT_GT(tower.share, 0.07 * cover) << cover;
+        EXPECT_GT(anvil.share, 1.6 * tower.share) << cover;
+        EXPECT_GT(anvil.share, cover) << "its rim is too thin to count as cover";
+        EXPECT_LT(over.share, tower.share) << "only the strongest tops shoot over it";
+        EXPECT_LT(anvil.extinction, 0.4 * tower.extinction) << cover;
+    }
+    EXPECT_NEAR(levelOf(weatherOf(Genus::Cb, 0.3f, 1500.0f), 0.91f).share, 0.0, 0.1) << "a low cumulonimbus is bald";
+}
+
+TEST(Anvil, IsStreakedAlongItsWindAndTurnsWithItWithoutAStep) {
+    // Mean square difference of the streaks over 120 m, along the wind and across it.
+    auto const roughness = [](glsl::LayerShape const& shape, glm::dvec2 step) {
+        double sum = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            glm::vec3 const p{static_cast<float>(i) * 731.0f, 10000.0f, static_cast<float>(i % 20) * 1330.0f};
+            glm::vec3 const q = p + glm::vec3{static_cast<float>(step.x), 0.0f, static_cast<float>(-step.y)};
+            double const change = static_cast<double>(glsl::anvilStreaks(p, shape, noise().curl.sampler(), 0.0f) - glsl::anvilStreaks(q, shape, noise().curl.sampler(), 0.0f));
+            sum += change * change / 400.0;
+        }
+        return sum;
+    };
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+        Weather weather = weatherOf(Genus::Cb, 0.3f, 10000.0f);
+        glm::dvec2 const way{std::cos(degrees * 0.0174532925), std::sin(degrees * 0.0174532925)};
+        weather.layers[0].wind = 20.0 * way;
+        glsl::LayerShape const shape = cloudShape(weather, 1, glm::dvec2{0.0}).layers[0];
+        double smoothest = 1e9, along = 0.0;
+        for (int angle = 0; angle < 180; angle += 4) {
+            double const rough = roughness(shape, 120.0 * glm::dvec2{std::cos(angle * 0.0174532925), std::sin(angle * 0.0174532925)});
+            if (rough < smoothest) smoothest = rough, along = angle;
+        }
+        double const off = std::remainder(along - degrees, 180.0);
+        EXPECT_LT(std::abs(off), 18.0) << "the eight ways lie up to 27 degrees apart; wind " << degrees;
+        EXPECT_LT(smoothest, 0.6 * roughness(shape, 120.0 * glm::dvec2{-way.y, way.x})) << degrees;
+        Weather turned = weather;
+        turned.layers[0].wind = 20.0 * glm::dvec2{std::cos((degrees + 0.02) * 0.0174532925), std::sin((degrees + 0.02) * 0.0174532925)};
+        glsl::LayerShape const next = cloudShape(turned, 1, glm::dvec2{0.0}).layers[0];
+        for (int i = 0; i < 50; ++i) {
+            glm::vec3 const p{static_cast<float>(i) * 731.0f, 10000.0f, static_cast<float>(i) * 1330.0f};
+            EXPECT_NEAR(glsl::anvilStreaks(p, shape, noise().curl.sampler(), 0.0f), glsl::anvilStreaks(p, next, noise().curl.sampler(), 0.0f), 0.03) << degrees;
         }
     }
 }
