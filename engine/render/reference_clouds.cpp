@@ -127,15 +127,18 @@ float ReferenceClouds::slabBound(int layer, glm::vec4 const& low, glm::vec4 cons
     double const slab = (highest_ - lowest_) / kSlabs;
     double const base = static_cast<double>(low.y), top = static_cast<double>(high.z);
     if (bottom > top || bottom + slab < base) return 0.0f;
-    float const margin = high.x - rank + s.look.y + s.body.z;
-    if (margin <= 0.0f) return 0.0f;
     float const full = high.w * s.look.w;
+    float const margin = high.x - rank + s.look.y;
     if (s.look.z > 0.5f) {
+        if (margin <= 0.0f) return 0.0f;
         float const thickness = high.z - low.y;
         return (0.07f + 1.96f * full * thickness) * 1.5f / std::max(low.z - high.y, 20.0f);
     }
-    bool const reaches = bottom < base + static_cast<double>(glsl::riseAt(margin, s.form.x)) * (top - base);
-    return reaches ? 1.1f * full : 0.0f;
+    float const towers = glsl::towerCover(high.x, s) - rank + s.look.y;
+    float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerWidth(glsl::towerCover(low.x, s), s)) : -1.0f;
+    bool const tower = bottom < base + static_cast<double>(rise) * (top - base);
+    bool const anvil = s.body.z > 0.0f && high.x - rank + glsl::kAnvilFray > 0.0f && bottom + slab > base + static_cast<double>(glsl::kAnvilFoot) * (top - base);
+    return (tower ? 1.1f * full : 0.0f) + (anvil ? 1.7f * glsl::kAnvilIce * full : 0.0f);
 }
 
 glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) const {

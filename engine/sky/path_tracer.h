@@ -200,14 +200,16 @@ bool followed(Medium const& medium, EyePath& path, core::Random& random) {
 /// Radiance that comes along a ray to its origin: one sample of it.
 template <class Medium>
 glm::vec3 pathRadiance(Medium const& medium, PathRay const& ray, core::Random& random) {
-    // What comes after many turns is little and alike, but costs most: of ways that go on, one in ten is ended each turn.
-    constexpr int kMany = 24;
-    constexpr float kGoOn = 0.9f;
+    // What comes after many turns is little and alike, but costs most: after 24, 48, 96, ... turns every second way is ended.
+    // (A constant chance at every turn would end them sooner, and let weights grow faster than long ways grow rare: no
+    // number of samples then settles the mean.)
     EyePath path{ray};
+    int next = 24;
     while (followed(medium, path, random)) {
-        if (++path.turns <= kMany) continue;
-        if (random.uniform(0.0, 1.0) >= static_cast<double>(kGoOn)) break;
-        path.weight /= kGoOn;
+        if (++path.turns < next) continue;
+        next *= 2;
+        if (random.uniform(0.0, 1.0) < 0.5) break;
+        path.weight *= 2.0f;
     }
     return path.light;
 }
