@@ -24,6 +24,7 @@ public:
     sky::Phase const& phase(int kind) const { return phases_[static_cast<std::size_t>(kind)]; }
     double surface(sky::PathRay const& ray) const;
     sky::MediumFace face(glm::dvec3 const& place) const;
+    std::optional<glm::dvec3> toSun() const { return light_.toward; }
     sky::SunThere sun(glm::dvec3 const& place, core::Random& random) const;
     sky::Stretch shadowStretchAt(sky::PathRay const& ray, double from) const;
     float shadowExtinction(glm::dvec3 const& place) const;

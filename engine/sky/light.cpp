@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/lib/atmosphere.glsl"
+
 namespace luftpost::sky {
 namespace {
 constexpr double kFullMoon_lx = 0.267;
@@ -27,7 +29,7 @@ glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, AirCondition
 }
 }  // namespace
 
-glm::vec3 landAlbedo(AirConditions const& conditions) { return glm::vec3{1.0f, 1.03f, 0.72f} * static_cast<float>(conditions.groundAlbedo); }
+glm::vec3 landAlbedo(AirConditions const& conditions) { return glsl::kLandColour * static_cast<float>(conditions.groundAlbedo); }
 
 float luminance(glm::vec3 const& rgb) { return glm::dot(rgb, glm::vec3{0.2126f, 0.7152f, 0.0722f}); }
 

@@ -18,6 +18,7 @@
 //   double surface(PathRay)                          m to a solid face, kNever for none
 //   MediumFace face(glm::dvec3 place)
 //   SunThere sun(glm::dvec3 place, Random&)          a light so far that all its rays are parallel
+//   std::optional<glm::dvec3> toSun()                toward it, where it is one narrow light
 //   Stretch shadowStretchAt(PathRay, double from)    majorant of what `shadowExtinction` finds
 //   float shadowExtinction(glm::dvec3 place)         1/m, grey: of what `sun` has not taken off already
 //   glm::vec3 beyond(PathRay, bool seen)             radiance of what lies behind everything; `seen`: by the eye itself
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -153,47 +155,104 @@ struct EyePath {
     PathRay ray;
     glm::vec3 light{0.0f};
     glm::vec3 weight{1.0f};
-    int turns = 0;     // so far; 0: what it meets is seen by the eye itself
+    int turns = 0;        // so far; 0: what it meets is seen by the eye itself
+    float share = 1.0f;   // of the sunlight at its next turn that it gathers; `lookToSun` gathers the rest
 };
 
-/// Gathers the sun at a place where light is turned with the probability `phase` of its direction, 1/sr.
-template <class Medium, class PhaseAt>
-void gatherSun(Medium const& medium, EyePath& path, glm::dvec3 const& place, PhaseAt const& phaseAt, core::Random& random) {
-    SunThere const sun = sunlit(medium, place, random);
-    path.light += path.weight * sun.irradiance * phaseAt(sun.toward);
-}
+/// What a way meets next.
+struct Meeting {
+    int kind = -1;         // of the particle that turns it, else a face
+    bool ended = true;     // nothing came any more, or the way was given up
+    glm::dvec3 place{0.0};
+};
 
-/// Follows the way to its next turn, in the medium or at a face; false where it ends.
+/// Follows the way to the next real collision or face, or to its end, whose radiance it gathers.
 template <class Medium>
-bool followed(Medium const& medium, EyePath& path, core::Random& random) {
+Meeting nextMeeting(Medium const& medium, EyePath& path, core::Random& random) {
     constexpr float kLeast = 0.25f;
     auto const stretches = [&](PathRay const& ray, double from) { return medium.stretchAt(ray, from); };
     double const limit = medium.surface(path.ray);
+    float const least = std::min(kLeast, std::max(path.weight.x, std::max(path.weight.y, path.weight.z)));
     Flight flight = freeFlight(stretches, path.ray, 0.0, limit, random);
     while (flight.collided) {
         glm::dvec3 const place = path.ray.at(flight.distance);
         auto const event = collision(medium.at(place), flight.majorant, path.weight, random);
         path.weight *= event.weight;
         glm::vec3 const size = glm::abs(path.weight);
-        if (!survives(std::max(size.x, std::max(size.y, size.z)), kLeast, path.weight, random)) return false;
-        if (event.kind >= 0) {
-            Phase const& phase = medium.phase(event.kind);
-            gatherSun(medium, path, place, [&](glm::dvec3 const& toward) { return phase.at(static_cast<float>(glm::dot(path.ray.direction, toward))); }, random);
-            path.ray = {place, turned(path.ray.direction, phase.draw(random), random)};
-            return true;
-        }
+        if (!survives(std::max(size.x, std::max(size.y, size.z)), least, path.weight, random)) return {};
+        if (event.kind >= 0) return {event.kind, false, place};
         flight = freeFlight(stretches, path.ray, flight.distance, limit, random);
     }
-    if (limit == kNever) {
-        path.light += path.weight * medium.beyond(path.ray, path.turns == 0);
-        return false;
+    if (limit < kNever) return {-1, false, path.ray.at(limit)};
+    path.light += path.weight * medium.beyond(path.ray, path.turns == 0);
+    return {};
+}
+
+/// Gathers the sun at a place where light is turned with the probability `phaseAt` of its direction, 1/sr.
+template <class Medium, class PhaseAt>
+void gatherSun(Medium const& medium, EyePath& path, glm::dvec3 const& place, PhaseAt const& phaseAt, core::Random& random) {
+    SunThere const sun = sunlit(medium, place, random);
+    path.light += path.weight * sun.irradiance * (path.share * phaseAt(sun.toward));
+}
+
+inline constexpr float kSunwardLobe = 0.85f;  // asymmetry of the lobe around the sun that lookToSun draws from
+
+/// Droplets scatter forward so much that a way which happens to run toward the sun gathers a hundred times the mean: rare, and
+/// so noise. A second draw, from a lobe around the sun, makes such ways often and each of them small; the two share what they
+/// gather by the balance heuristic (Veach 1995). From `place`, where the way was turned by `phase`, it looks for the next turn
+/// and gathers the sun there.
+template <class Medium>
+void lookToSun(Medium const& medium, EyePath& path, glm::dvec3 const& place, Phase const& phase, glm::dvec3 const& toSun, core::Random& random) {
+    constexpr float kLeast = 0.1f;
+    static Phase const lobe = Phase::henyeyGreenstein(kSunwardLobe);
+    glm::dvec3 const direction = turned(toSun, lobe.draw(random), random);
+    float const straight = phase.at(static_cast<float>(glm::dot(path.ray.direction, direction)));
+    float const share = straight / (straight + lobe.at(static_cast<float>(glm::dot(direction, toSun))));
+    EyePath look{{place, direction}, glm::vec3{0.0f}, path.weight * share, path.turns + 1, 1.0f};
+    if (!survives(share, kLeast, look.weight, random)) return;
+    Meeting const meeting = nextMeeting(medium, look, random);
+    look.light = glm::vec3{0.0f};  // what lies beyond is the way's own
+    if (meeting.ended || meeting.kind < 0) return;
+    Phase const& there = medium.phase(meeting.kind);
+    gatherSun(medium, look, meeting.place, [&](glm::dvec3 const& toward) { return there.at(static_cast<float>(glm::dot(direction, toward))); }, random);
+    path.light += look.light;
+}
+
+/// Turns a way at a particle; gathers the sun first.
+template <class Medium>
+void turnAtParticle(Medium const& medium, EyePath& path, Meeting const& meeting, core::Random& random) {
+    Phase const& phase = medium.phase(meeting.kind);
+    gatherSun(medium, path, meeting.place, [&](glm::dvec3 const& toward) { return phase.at(static_cast<float>(glm::dot(path.ray.direction, toward))); }, random);
+    glm::dvec3 const direction = turned(path.ray.direction, phase.draw(random), random);
+    path.share = 1.0f;
+    if (auto const toSun = medium.toSun()) {
+        lookToSun(medium, path, meeting.place, phase, *toSun, random);
+        float const straight = phase.at(static_cast<float>(glm::dot(path.ray.direction, direction)));
+        path.share = straight / (straight + Phase::henyeyGreenstein(kSunwardLobe).at(static_cast<float>(glm::dot(direction, *toSun))));
     }
-    glm::dvec3 const place = path.ray.at(limit);
+    path.ray = {meeting.place, direction};
+}
+
+/// Turns a way at a face; false where it ends.
+template <class Medium>
+bool turnAtFace(Medium const& medium, EyePath& path, glm::dvec3 const& place, core::Random& random) {
+    constexpr float kLeast = 0.25f;
     MediumFace const face = medium.face(place);
     path.weight *= face.albedo;
     if (!survives(std::max(path.weight.x, std::max(path.weight.y, path.weight.z)), kLeast, path.weight, random)) return false;
+    path.share = 1.0f;
     gatherSun(medium, path, place, [&](glm::dvec3 const& toward) { return static_cast<float>(std::max(glm::dot(face.normal, toward), 0.0) / core::kPi); }, random);
     path.ray = {place, lambertian(face.normal, random)};
+    return true;
+}
+
+/// Follows the way to its next turn; false where it ends.
+template <class Medium>
+bool followed(Medium const& medium, EyePath& path, core::Random& random) {
+    Meeting const meeting = nextMeeting(medium, path, random);
+    if (meeting.ended) return false;
+    if (meeting.kind < 0) return turnAtFace(medium, path, meeting.place, random);
+    turnAtParticle(medium, path, meeting, random);
     return true;
 }
 

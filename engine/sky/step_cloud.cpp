@@ -54,9 +54,10 @@ public:
     /// The sun, or a direction of the furnace drawn evenly: its irradiance over the density of the draw is 4 pi.
     SunThere sun(glm::dvec3 const&, core::Random& random) const {
         if (lamp_ == Lamp::Furnace) return {isotropic(random), glm::vec3{static_cast<float>(4.0 * core::kPi)}};
-        return {toSun(), glm::vec3{1.0f}};
+        return {sunward(), glm::vec3{1.0f}};
     }
-    glm::dvec3 toSun() const { return {-std::sin(cloud_.sunZenith), std::cos(cloud_.sunZenith), 0.0}; }
+    glm::dvec3 sunward() const { return {-std::sin(cloud_.sunZenith), std::cos(cloud_.sunZenith), 0.0}; }
+    std::optional<glm::dvec3> toSun() const { return lamp_ == Lamp::Sun ? std::optional{sunward()} : std::nullopt; }
     Stretch shadowStretchAt(PathRay const& ray, double from) const { return stretchAt(ray, from); }
     float shadowExtinction(glm::dvec3 const& place) const { return extinctions_[static_cast<std::size_t>(columnOf(place.x))]; }
     /// What the connections have not counted: a furnace behind a cloud that was crossed without a turn.
@@ -101,7 +102,7 @@ core::Random sequence(std::uint64_t seed, std::uint64_t block) {
 
 void followPhoton(StepMedium const& medium, StepCloud const& cloud, core::Random& random, StepCloudFluxes& tally) {
     auto const stretches = [&](PathRay const& ray, double from) { return medium.stretchAt(ray, from); };
-    PathRay ray{{random.uniform(0.0, cloud.width), cloud.thickness, 0.0}, -medium.toSun()};
+    PathRay ray{{random.uniform(0.0, cloud.width), cloud.thickness, 0.0}, -medium.sunward()};
     glm::vec3 weight{1.0f};
     for (Flight flight = freeFlight(stretches, ray, 0.0, kNever, random); flight.collided;
          flight = freeFlight(stretches, ray, 0.0, kNever, random)) {
@@ -154,7 +155,7 @@ StepCloudFluxes pathFluxes(StepCloud const& cloud, std::int64_t paths, std::uint
             tally.reflectance[out] += core::kPi / falling * static_cast<double>(pathRadiance(medium, down, random).x);
             PathRay const up{{x, 0.0, 0.0}, lambertian({0.0, 1.0, 0.0}, random)};
             tally.transmittance[out] += core::kPi / falling * static_cast<double>(pathRadiance(medium, up, random).x) +
-                                        static_cast<double>(shadow(medium, PathRay{up.origin, medium.toSun()}, kNever, random));
+                                        static_cast<double>(shadow(medium, PathRay{up.origin, medium.sunward()}, kNever, random));
         }
     });
     scale(sum, 1.0 / static_cast<double>(paths));

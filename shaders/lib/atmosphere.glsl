@@ -190,6 +190,8 @@ GLSL_FUNCTION vec2 multipleArgument(vec2 size, vec2 uv) {
     return vec2(kAirTop * unit.y * unit.y, x * abs(x));
 }
 
+GLSL_CONST vec3 kLandColour = vec3(1.0f, 1.03f, 0.72f);  // of the land in the mean, over its albedo
+
 /// What one direction adds to a texel of table two: light scattered twice and the share that is scattered on.
 struct TwiceScattered {
     vec3 light;
@@ -215,8 +217,8 @@ GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D trans
         vec3 kept = through * (vec3(1.0f) - stepThrough) / max(here.extinction, vec3(1e-12f));
         vec3 scattering = here.rayleigh + here.haze;
         float muHere = zenithCosineAlong(h, muLight, nu, t, height);
-        sum.light += kept * scattering * lightThroughAir(transmittance, size, height, muHere, 0.00465f) /
-                     (4.0f * kAirPi);
+        vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * lobePhase(nu, 0.67f);
+        sum.light += kept * once * lightThroughAir(transmittance, size, height, muHere, 0.00465f);
         sum.share += kept * scattering;
         through *= stepThrough;
         start = end;
@@ -224,8 +226,8 @@ GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D trans
     if (toGround >= 0.0f) {
         float muHere = zenithCosineAlong(h, muLight, nu, toGround, 0.0f);
         vec3 onGround = lightThroughAir(transmittance, size, 0.0f, muHere, 0.00465f) * max(muHere, 0.0f);
-        sum.light += through * onGround * air.ground.w / kAirPi;
-        sum.share += through * air.ground.w;  // land under an even psi sends back this share of it
+        sum.light += through * onGround * kLandColour * air.ground.w / kAirPi;
+        sum.share += through * kLandColour * air.ground.w;  // land under an even psi sends back this share of it
     }
     return sum;
 }
@@ -264,6 +266,11 @@ struct AirLight {
     vec3 transmittance;  // of the air on the way
 };
 
+// Haze sends light that went astray on, not evenly: much of it was turned but once, and little. How much, and how far, fitted
+// to the path tracer (sky/path_tracer) at five heights of the sun.
+GLSL_CONST float kAgainShare = 0.3f;
+GLSL_CONST float kAgainLobe = 0.4f;
+
 /// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
@@ -273,8 +280,10 @@ GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, 
     vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu);
     vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
     vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
-    vec3 astray = mix(psi, vec3(air.under), vec3(below * air.under.w));
-    return once * light * direct + (here.rayleigh + here.haze) * astray;
+    float again = mix(1.0f, 4.0f * kAirPi * lobePhase(nu, kAgainLobe), kAgainShare);
+    vec3 open = psi * (here.rayleigh + here.haze * again);
+    vec3 under = vec3(air.under) * (here.rayleigh + here.haze);
+    return once * light * direct + mix(open, under, vec3(below * air.under.w));
 }
 
 /// Adds the air between distances `start` and `end` of the ray to `sum`. The source is constant in the step, and its
