@@ -270,18 +270,22 @@ struct AirLight {
 // to the path tracer (sky/path_tracer) at five heights of the sun.
 GLSL_CONST float kAgainShare = 0.3f;
 GLSL_CONST float kAgainLobe = 0.4f;
+// It runs more level than upright, where its ways are longest: a level ray meets more of it.
+GLSL_CONST float kLevelMore = 1.14f;
+GLSL_CONST float kUprightLess = 0.38f;
 
 /// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
-                            AirAt here, float h, float muLight, float nu) {
+                            AirAt here, float h, float mu, float muLight, float nu) {
     float below = 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h);  // inside them one sees cloud, no air
     float direct = mix(1.0f, air.cover.y, below);
     vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu);
     vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
     vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
     float again = mix(1.0f, 4.0f * kAirPi * lobePhase(nu, kAgainLobe), kAgainShare);
-    vec3 open = psi * (here.rayleigh + here.haze * again);
+    float level = kLevelMore - kUprightLess * max(mu, 0.0f);
+    vec3 open = psi * (here.rayleigh + here.haze * again) * level;
     vec3 under = vec3(air.under) * (here.rayleigh + here.haze);
     return once * light * direct + mix(open, under, vec3(below * air.under.w));
 }
@@ -295,7 +299,7 @@ GLSL_FUNCTION AirLight addAir(AirLight sum, Atmosphere air, sampler2D transmitta
     AirAt here = airAt(air, height);
     vec3 through = exp(-here.extinction * (end - start));
     float muHere = zenithCosineAlong(h, muLight, nu, t, height);
-    vec3 source = sourceAt(air, transmittance, size, multiple, multipleSize, here, height, muHere, nu);
+    vec3 source = sourceAt(air, transmittance, size, multiple, multipleSize, here, height, mu, muHere, nu);
     AirLight result;
     result.radiance = sum.radiance +
                       sum.transmittance * source * (vec3(1.0f) - through) / max(here.extinction, vec3(1e-12f));
