@@ -5,24 +5,35 @@
 namespace luftpost::render {
 namespace {
 constexpr glm::ivec2 kGroup{8, 8};
-constexpr int kBlock = 4;  // one ray in 4 x 4 a frame
+constexpr unsigned kRayListBinding = 6;
+constexpr unsigned kAskedShare = 16;  // one pixel in so many may ask for a ray of its own in a frame
 
-glm::ivec2 marchedSize(glm::ivec2 const& size, bool whole) { return whole ? size : (size + kBlock - 1) / kBlock; }
+/// The head of CloudRayList: groups of two dispatches, the length of the list, the budget.
+struct RayListHead {
+    std::array<std::uint32_t, 4> marchGroups{0, 1, 1, 0};
+    std::array<std::uint32_t, 4> fillGroups{0, 1, 1, 0};
+};
+
+std::size_t pixelCount(glm::ivec2 const& size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 }  // namespace
 
-CloudPass::Screen::Screen(glm::ivec2 const& pixels, bool all)
-    : size{pixels},
-      whole{all},
-      marchedLight{gl::Format::rgba16f, marchedSize(pixels, all), 1, "marched cloud light"},
-      marchedDistance{gl::Format::rg32f, marchedSize(pixels, all), 1, "marched cloud distance"} {
-    if (whole) return;
-    for (gl::Texture2D& texture : light) texture = gl::Texture2D{gl::Format::rgba16f, pixels, 1, "cloud light"};
-    for (gl::Texture2D& texture : facts) texture = gl::Texture2D{gl::Format::rgba16f, pixels, 1, "cloud facts"};
+CloudPass::Screen::Screen(glm::ivec2 const& pixels) : size{pixels} {
+    light[0] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud light"};
+    facts[0] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud facts"};
+}
+
+void CloudPass::Screen::prepareHistory() {
+    if (rays.id() != 0) return;
+    light[1] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud light"};
+    facts[1] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud facts"};
+    rays = gl::Buffer{sizeof(RayListHead) + pixelCount(size) * sizeof(std::uint32_t), "cloud ray list"};
 }
 
 CloudPass::CloudPass(gl::ProgramLibrary& programs)
     : marchProgram_{programs.compute("cloud_march")},
       resolveProgram_{programs.compute("cloud_resolve")},
+      listProgram_{programs.compute("cloud_march_list")},
+      fillProgram_{programs.compute("cloud_fill")},
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
       shadow_{programs} {}
@@ -39,59 +50,87 @@ void CloudPass::prepare(FrameContext const& context) {
     shadow_.bind();
 }
 
-void CloudPass::draw(FrameContext const& context) {
+void CloudPass::prepareScreen(glm::ivec2 const& size) {
+    if (!screen_ || screen_->size != size) {
+        screen_.emplace(size);
+        newest_ = 0;
+        history_ = false;
+    }
+    if (scene_.leapt()) history_ = false;
+    if (scene_.block().march.w == 1) return;
+    screen_->prepareHistory();
+    newest_ = 1 - newest_;
+}
+
+void CloudPass::bindStore() const {
+    screen_->light[newest()].bindImage(0, gl::Access::readWrite);
+    screen_->facts[newest()].bindImage(1, gl::Access::readWrite);
+}
+
+void CloudPass::march(FrameContext const& context) {
     if (scene_.empty()) {
         history_ = false;
         return;
     }
-    bool const whole = scene_.block().march.w == 1;
-    if (!screen_ || screen_->size != context.targets.size || screen_->whole != whole) {
-        screen_.emplace(context.targets.size, whole);
-        history_ = false;
-    }
+    prepareScreen(context.targets.size);
     scene_.bind();
-    march(context);
-    if (!whole) resolve(context);
-    composite(context);
-    exposureBefore_ = context.frame.exposure.x;
-}
-
-void CloudPass::march(FrameContext const& context) {
     marchProgram_.use();
     context.targets.depth.bind(0);
-    screen_->marchedLight.bindImage(0, gl::Access::write);
-    screen_->marchedDistance.bindImage(1, gl::Access::write);
-    gl::dispatchOver(screen_->marchedLight.size(), kGroup);
-    gl::barrier(gl::Barrier::textureFetch);
+    bindStore();
+    int const side = scene_.block().march.w;
+    gl::dispatchOver((context.targets.size + side - 1) / side, kGroup);
+    gl::barrier(gl::Barrier::all);
 }
 
 void CloudPass::resolve(FrameContext const& context) {
-    auto const older = static_cast<std::size_t>(newest_);
-    auto const newer = 1 - older;
+    if (scene_.empty()) return;
+    if (scene_.block().march.w > 1) {
+        findAgain(context);
+        marchAsked();
+    }
+    history_ = true;
+    exposureBefore_ = context.frame.exposure.x;
+}
+
+void CloudPass::findAgain(FrameContext const& context) {
+    RayListHead head;
+    head.fillGroups[3] = static_cast<std::uint32_t>(pixelCount(screen_->size) / kAskedShare);
+    screen_->rays.update(gl::bytesOf(head));
+    screen_->rays.bindStorage(kRayListBinding);
     resolveProgram_.use();
     resolveProgram_.set("historyValid", history_ && context.historyValid ? 1.0f : 0.0f);
     resolveProgram_.set("exposureRatio", context.frame.exposure.x / exposureBefore_);
     context.targets.depth.bind(0);
-    screen_->marchedLight.bind(1);
-    screen_->marchedDistance.bind(2);
-    screen_->light[older].bind(3);
-    screen_->facts[older].bind(4);
-    screen_->light[newer].bindImage(0, gl::Access::write);
-    screen_->facts[newer].bindImage(1, gl::Access::write);
+    screen_->light[1 - newest()].bind(1);
+    screen_->facts[1 - newest()].bind(2);
+    screen_->facts[newest()].bind(3);
     gl::dispatchOver(screen_->size, kGroup);
+    gl::barrier(gl::Barrier::all);
+}
+
+void CloudPass::marchAsked() {
+    listProgram_.use();
+    gl::dispatchIndirect(screen_->rays, offsetof(RayListHead, marchGroups));
+    gl::barrier(gl::Barrier::image);
+    fillProgram_.use();
+    gl::dispatchIndirect(screen_->rays, offsetof(RayListHead, fillGroups));
     gl::barrier(gl::Barrier::textureFetch);
-    newest_ = static_cast<int>(newer);
-    history_ = true;
 }
 
 void CloudPass::composite(FrameContext const& context) {
-    auto const newest = static_cast<std::size_t>(newest_);
+    if (scene_.empty()) return;
     compositeProgram_.use();
-    compositeProgram_.set("inverted", screen_->whole ? 0 : 1);
-    (screen_->whole ? screen_->marchedLight : screen_->light[newest]).bind(0);
-    (screen_->whole ? screen_->marchedDistance : screen_->facts[newest]).bind(1);
+    screen_->light[newest()].bind(0);
+    screen_->facts[newest()].bind(1);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(screen_->size, kGroup);
     gl::barrier(gl::Barrier::all);
+}
+
+std::size_t CloudPass::screenBytes() const {
+    std::size_t sum = shadow_.bytes();
+    if (!screen_) return sum;
+    for (std::size_t i = 0; i < 2; ++i) sum += screen_->light[i].bytes() + screen_->facts[i].bytes();
+    return sum + screen_->rays.bytes();
 }
 }  // namespace luftpost::render

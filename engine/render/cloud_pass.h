@@ -1,9 +1,10 @@
-// The clouds of the picture: their scene and shadow, the march of a sixteenth of the rays (or of all), the picture made
-// of them with what the frames before saw, the composite.
+// The clouds of the picture: their scene and shadow, the march of a sixteenth of the rays (or of more), the picture made of
+// them with the rays of the frames before, the composite.
 #pragma once
 #include <array>
 #include <optional>
 
+#include "engine/gl/buffer.h"
 #include "engine/gl/program_library.h"
 #include "engine/gl/texture.h"
 #include "engine/render/cloud_scene.h"
@@ -12,7 +13,7 @@
 
 namespace luftpost::render {
 /// Order in a frame: describe (any time before), prepare (once the sky's tables are bound; before land and models, which
-/// read the shadow), draw (after the air was put before land and sky).
+/// read the shadow), march, resolve, composite (after the air was put before land and sky).
 class CloudPass {
 public:
     explicit CloudPass(gl::ProgramLibrary& programs);
@@ -21,27 +22,39 @@ public:
     void describe(Snapshot const& snapshot);
     /// The shadow map, and all bindings of the clouds.
     void prepare(FrameContext const& context);
-    /// March, resolve, composite into the colour target; its alpha becomes the transmittance of the clouds.
-    void draw(FrameContext const& context);
+    /// One ray of each block.
+    void march(FrameContext const& context);
+    /// The other pixels from the frames before; rays for those that nothing is known of.
+    void resolve(FrameContext const& context);
+    /// Into the colour target; its alpha becomes the transmittance of the clouds.
+    void composite(FrameContext const& context);
 
-    /// GPU bytes of noise volumes and cloud map, screen-sized buffers apart.
+    /// GPU bytes of noise volumes and cloud map.
     std::size_t bytes() const { return scene_.bytes(); }
+    /// GPU bytes of what the clouds keep for each pixel of the picture, and of their shadow.
+    std::size_t screenBytes() const;
 
 private:
+    /// One ray's answer per pixel (lib/cloud_store.glsl): the newest, and that of the frame before once there is one.
     struct Screen {
-        explicit Screen(glm::ivec2 const& size, bool whole);
+        explicit Screen(glm::ivec2 const& size);
+        /// What frames with a history need besides.
+        void prepareHistory();
         glm::ivec2 size;
-        bool whole;  // all rays: marched at full size, no history
-        gl::Texture2D marchedLight, marchedDistance;
         std::array<gl::Texture2D, 2> light, facts;
+        gl::Buffer rays;  // CloudRayList of lib/cloud_rays.glsl
     };
 
-    void march(FrameContext const& context);
-    void resolve(FrameContext const& context);
-    void composite(FrameContext const& context);
+    void prepareScreen(glm::ivec2 const& size);
+    void bindStore() const;
+    void findAgain(FrameContext const& context);
+    void marchAsked();
+    std::size_t newest() const { return static_cast<std::size_t>(newest_); }
 
     gl::Program const& marchProgram_;
     gl::Program const& resolveProgram_;
+    gl::Program const& listProgram_;
+    gl::Program const& fillProgram_;
     gl::Program const& compositeProgram_;
     CloudScene scene_;
     CloudShadow shadow_;

@@ -165,7 +165,9 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("clear", [&] { p.clear(*p.targets); });
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
-    pass("clouds", [&] { p.clouds.draw(context); });
+    pass("cloud march", [&] { p.clouds.march(context); });
+    pass("cloud resolve", [&] { p.clouds.resolve(context); });
+    pass("cloud composite", [&] { p.clouds.composite(context); });
     pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("smoke", [&] { p.puffs.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });

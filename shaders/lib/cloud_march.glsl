@@ -18,20 +18,6 @@ struct MarchResult {
     float distance;  // m, mean of where the light came from, weighted by what reached the eye
 };
 
-const int kRayOfBlock[16] = int[16](0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12);
-
-/// The pixel whose ray stands for `place` of the marched picture: itself, or one of its 4 x 4 block, each in its turn.
-ivec2 marchedPixel(ivec2 place) {
-    if (clouds.march.w == 1) return place;
-    int ray = kRayOfBlock[clouds.march.z];
-    return place * 4 + ivec2(ray & 3, ray >> 2);
-}
-
-/// Interleaved gradient noise (Jimenez 2014), moved from frame to frame: neighbours differ as much as they can.
-float randomOf(ivec2 pixel) {
-    return fract(52.9829189 * fract(0.06711056 * float(pixel.x) + 0.00583715 * float(pixel.y)) + clouds.step.w);
-}
-
 /// Both distances along the ray at which it crosses altitude `s`, nearer first; negative where it does not.
 vec2 crossings(float h, float mu, float s) {
     float b = (kPlanetRadius + h) * mu;
@@ -231,7 +217,7 @@ vec3 placeAt(vec3 direction, float t, float h) {
 
 /// Goes on to the next cloud; false when the ray ends first. Its own loop: rays that have found one wait for the rest,
 /// and then all do the costly part at once.
-bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk, out CloudSample here, out vec3 p) {
+bool findCloud(vec3 direction, float h, float end, inout Walk walk, out CloudSample here, out vec3 p) {
     here = noCloud();
     p = vec3(0.0);
     while (walk.t < end && walk.left > 0) {
@@ -250,7 +236,7 @@ bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk
                 walk.stride = min(kSearch * longest, walk.t - walk.face);
                 walk.empty = walk.stride > 1.0 ? 1 : 0;
             } else {
-                walk.stride = (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
+                walk.stride = (walk.t > walk.face ? 2.0 : 1.5) * longest;
                 walk.t += walk.stride;
             }
         } else {
@@ -271,7 +257,7 @@ bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk
 }
 
 /// Layers with a body.
-MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
+MarchResult marchBodies(vec3 direction, float end, KeyLight key) {
     float h = frame.cameraWorld.y;
     MarchResult ray = MarchResult(vec3(0.0), 1.0, 0.0);
     float weights = 0.0;
@@ -281,7 +267,7 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     there.asked = -1.0e6;
     CloudSample here;
     vec3 p;
-    while (ray.through > kOpaque && findCloud(direction, h, end, random, walk, here, p)) {
+    while (ray.through > kOpaque && findCloud(direction, h, end, walk, here, p)) {
         float longest = longestStep(walk.t);
         float shortest = max(10.0, 0.0015 * walk.t);
         float lod = lodAt(walk.t, walk.stride);
@@ -319,10 +305,10 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     return ray;
 }
 
-MarchResult marchClouds(vec3 direction, float land, float random) {
+MarchResult marchClouds(vec3 direction, float land) {
     KeyLight key = keyLight();
     float end = min(land, clouds.step.z);
-    MarchResult ray = marchBodies(direction, end, random, key);
+    MarchResult ray = marchBodies(direction, end, key);
     return withSheets(ray, direction, land, key);
 }
 #endif

@@ -17,7 +17,7 @@
 namespace {
 using namespace luftpost;
 
-constexpr glm::ivec2 kSize{192, 108};
+constexpr glm::ivec2 kSize{320, 180};
 constexpr double kFrame = 1.0 / 60.0;  // s
 constexpr double kSpeed = 100.0;       // m/s
 
