@@ -5,7 +5,7 @@
 namespace luftpost::render {
 namespace {
 constexpr glm::ivec2 kGroup{8, 8};
-constexpr unsigned kRayListBinding = 6;
+constexpr unsigned kRayListBinding = 8;
 constexpr unsigned kAskedShare = 16;  // one pixel in so many may ask for a ray of its own in a frame
 
 /// The head of CloudRayList: groups of two dispatches, the length of the list, the budget.

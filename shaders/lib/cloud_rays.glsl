@@ -17,7 +17,7 @@ ivec2 marchedPixel(ivec2 block) {
 }
 
 /// Pixels that nothing is known of: they are marched in the same frame as far as the budget reaches.
-layout(std430, binding = 6) buffer CloudRayList {
+layout(std430, binding = 8) buffer CloudRayList {
     uvec4 marchGroups;  // xyz: of the dispatch that marches them; w: how many there are
     uvec4 fillGroups;   // xyz: of the dispatch that guesses the rest; w: the budget
     uint pixels[];      // x + 65536 y
