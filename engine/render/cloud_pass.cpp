@@ -36,11 +36,13 @@ CloudPass::CloudPass(gl::ProgramLibrary& programs)
       fillProgram_{programs.compute("cloud_fill")},
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
-      shadow_{programs} {}
+      shadow_{programs},
+      depths_{programs} {}
 
 void CloudPass::describe(Snapshot const& snapshot) {
     scene_.update(snapshot, frame_++);
     shadow_.place(snapshot, scene_);
+    depths_.place(snapshot, scene_);
     scene_.upload();
 }
 
@@ -48,6 +50,8 @@ void CloudPass::prepare(FrameContext const& context) {
     scene_.bind();
     shadow_.draw(context, scene_);
     shadow_.bind();
+    depths_.draw(scene_);
+    depths_.bind();
 }
 
 void CloudPass::prepareScreen(glm::ivec2 const& size) {
@@ -128,7 +132,7 @@ void CloudPass::composite(FrameContext const& context) {
 }
 
 std::size_t CloudPass::screenBytes() const {
-    std::size_t sum = shadow_.bytes();
+    std::size_t sum = shadow_.bytes() + depths_.bytes();
     if (!screen_) return sum;
     for (std::size_t i = 0; i < 2; ++i) sum += screen_->light[i].bytes() + screen_->facts[i].bytes();
     return sum + screen_->rays.bytes();

@@ -7,6 +7,7 @@
 #include "engine/gl/buffer.h"
 #include "engine/gl/program_library.h"
 #include "engine/gl/texture.h"
+#include "engine/render/cloud_depths.h"
 #include "engine/render/cloud_scene.h"
 #include "engine/render/cloud_shadow.h"
 #include "engine/render/frame_context.h"
@@ -20,7 +21,7 @@ public:
 
     /// Cloud map and block of the frame.
     void describe(Snapshot const& snapshot);
-    /// The shadow map, and all bindings of the clouds.
+    /// The shadow map and the depths toward the light, and all bindings of the clouds.
     void prepare(FrameContext const& context);
     /// One ray of each block.
     void march(FrameContext const& context);
@@ -31,7 +32,7 @@ public:
 
     /// GPU bytes of noise volumes and cloud map.
     std::size_t bytes() const { return scene_.bytes(); }
-    /// GPU bytes of what the clouds keep for each pixel of the picture, and of their shadow.
+    /// GPU bytes of what the clouds keep for each pixel of the picture, of their shadow and of the depths toward the light.
     std::size_t screenBytes() const;
 
 private:
@@ -58,6 +59,7 @@ private:
     gl::Program const& compositeProgram_;
     CloudScene scene_;
     CloudShadow shadow_;
+    CloudDepths depths_;
     std::optional<Screen> screen_;
     std::uint64_t frame_ = 0;
     int newest_ = 0;                 // which of light and facts holds the latest picture

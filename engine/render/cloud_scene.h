@@ -33,7 +33,13 @@ public:
     glsl::CloudBlock const& block() const { return block_; }
     /// Sets where the shadow map lies; update() leaves it as it is.
     void setShadowPlace(glm::vec4 const& place) { block_.shadowPlace = place; }
-    /// Uploads the block; after update() and setShadowPlace().
+    /// Sets where the grids of optical depth lie (CloudBlock::depthPlaces, depthHeights); update() leaves them as they are.
+    void setDepthPlaces(std::array<glm::vec4, 2> const& places, glm::vec4 const& heights) {
+        block_.depthPlaces[0] = places[0];
+        block_.depthPlaces[1] = places[1];
+        block_.depthHeights = heights;
+    }
+    /// Uploads the block; after update() and the places of shadow and depths.
     void upload() { buffer_.update(gl::bytesOf(block_)); }
 
 private:
