@@ -161,8 +161,8 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
-const float kSearch = 0.65;       // full steps that look for a face, as a share of the longest: at most,
-const float kShortSearch = 0.25;  // and at least
+const float kSearch = 1.5;        // full steps that look for a face, as a share of the longest: at most,
+const float kShortSearch = 0.4;   // and at least
 const float kOpaque = 0.025;      // transmittance that counts as none
 const int kEmptySteps = 9;        // of these until they are cheap again
 
@@ -278,7 +278,8 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         inside = here.extinction > 0.0;
         float kept = exp(-here.extinction * length);
         float weight = sum.ray.through * (1.0 - kept);
-        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w), 18.0, 240.0);
+        // What little still reaches the eye needs no near billows on its way to the light.
+        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 18.0, 240.0);
         if (inside) sum.ray.light += weight * lightAt(p, there, here, cosine, lodAt(walk.t, length), first);
         sum.ray.distance += weight * middle;
         sum.weights += weight;

@@ -96,9 +96,12 @@ bool cloudMayBeOf(int bits, vec3 p) {
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
-        float margin = c.cover - c.rank + s.look.y + s.body.z + 0.4 * coarse;
-        bool low = p.y - c.base <= riseAt(margin, s.form.x) * (c.top - c.base) || coarse > 0.0;
-        found = margin > 0.0 && p.y > c.base && p.y < c.top && low;
+        float thickness = c.top - c.base;
+        float share = (p.y - c.base) / thickness;
+        float margin = c.cover - c.rank + s.look.y * frayWindow(c.cover) + s.body.z * smoothstep(0.62, 0.92, share) + 0.4 * coarse;
+        float rise = riseAt(margin, s.form.x);
+        bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
+        found = margin > 0.0 && share > 0.0 && share < 1.0 && between;
     }
     return found;
 }
@@ -144,7 +147,7 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
     return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
 }
 
-const float kNearWay = 260.0;  // m: so far the way to the light is sampled, beyond it the grid knows
+const float kNearWay = 150.0;  // m: so far the way to the light is sampled, beyond it the grid knows
 
 /// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
 /// holds; beyond the grids samples all the way. Each sees the cloud as blurred as its stretch is long, so that a shadow has no
