@@ -17,17 +17,8 @@ struct RayListHead {
 std::size_t pixelCount(glm::ivec2 const& size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 }  // namespace
 
-CloudPass::Screen::Screen(glm::ivec2 const& pixels) : size{pixels} {
-    light[0] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud light"};
-    facts[0] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud facts"};
-}
-
-void CloudPass::Screen::prepareHistory() {
-    if (rays.id() != 0) return;
-    light[1] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud light"};
-    facts[1] = gl::Texture2D{gl::Format::rgba16f, size, 1, "cloud facts"};
-    rays = gl::Buffer{sizeof(RayListHead) + pixelCount(size) * sizeof(std::uint32_t), "cloud ray list"};
-}
+CloudPass::Store::Store(glm::ivec2 const& size)
+    : light{gl::Format::rgba16f, size, 1, "cloud light"}, facts{gl::Format::rgba16f, size, 1, "cloud facts"} {}
 
 CloudPass::CloudPass(gl::ProgramLibrary& programs)
     : marchProgram_{programs.compute("cloud_march")},
@@ -54,21 +45,15 @@ void CloudPass::prepare(FrameContext const& context) {
     depths_.bind();
 }
 
-void CloudPass::prepareScreen(glm::ivec2 const& size) {
-    if (!screen_ || screen_->size != size) {
-        screen_.emplace(size);
-        newest_ = 0;
-        history_ = false;
-    }
+void CloudPass::takeStore(glm::ivec2 const& size) {
     if (scene_.leapt()) history_ = false;
-    if (scene_.block().march.w == 1) return;
-    screen_->prepareHistory();
-    newest_ = 1 - newest_;
-}
-
-void CloudPass::bindStore() const {
-    screen_->light[newest()].bindImage(0, gl::Access::readWrite);
-    screen_->facts[newest()].bindImage(1, gl::Access::readWrite);
+    if (scene_.block().march.w > 1) {
+        newest_ = 1 - newest_;
+        std::size_t const list = sizeof(RayListHead) + pixelCount(size) * sizeof(std::uint32_t);
+        if (rays_.bytes() != list) rays_ = gl::Buffer{list, "cloud ray list"};
+    }
+    std::optional<Store>& store = stores_[static_cast<std::size_t>(newest_)];
+    if (!store || store->light.size() != size) store.emplace(size);
 }
 
 void CloudPass::march(FrameContext const& context) {
@@ -76,11 +61,12 @@ void CloudPass::march(FrameContext const& context) {
         history_ = false;
         return;
     }
-    prepareScreen(context.targets.size);
+    takeStore(context.targets.size);
     scene_.bind();
     marchProgram_.use();
     context.targets.depth.bind(0);
-    bindStore();
+    newest().light.bindImage(0, gl::Access::readWrite);
+    newest().facts.bindImage(1, gl::Access::readWrite);
     int const side = scene_.block().march.w;
     gl::dispatchOver((context.targets.size + side - 1) / side, kGroup);
     gl::barrier(gl::Barrier::all);
@@ -98,43 +84,44 @@ void CloudPass::resolve(FrameContext const& context) {
 
 void CloudPass::findAgain(FrameContext const& context) {
     RayListHead head;
-    head.fillGroups[3] = static_cast<std::uint32_t>(pixelCount(screen_->size) / kAskedShare);
-    screen_->rays.update(gl::bytesOf(head));
-    screen_->rays.bindStorage(kRayListBinding);
+    head.fillGroups[3] = static_cast<std::uint32_t>(pixelCount(context.targets.size) / kAskedShare);
+    rays_.update(gl::bytesOf(head));
+    rays_.bindStorage(kRayListBinding);
     resolveProgram_.use();
-    resolveProgram_.set("historyValid", history_ && context.historyValid ? 1.0f : 0.0f);
+    bool const known = history_ && context.historyValid;
+    resolveProgram_.set("historyValid", known ? 1.0f : 0.0f);
     resolveProgram_.set("exposureRatio", context.frame.exposure.x / exposureBefore_);
     context.targets.depth.bind(0);
-    screen_->light[1 - newest()].bind(1);
-    screen_->facts[1 - newest()].bind(2);
-    screen_->facts[newest()].bind(3);
-    gl::dispatchOver(screen_->size, kGroup);
+    (known ? older() : newest()).light.bind(1);
+    (known ? older() : newest()).facts.bind(2);
+    newest().facts.bind(3);
+    gl::dispatchOver(context.targets.size, kGroup);
     gl::barrier(gl::Barrier::all);
 }
 
 void CloudPass::marchAsked() {
     listProgram_.use();
-    gl::dispatchIndirect(screen_->rays, offsetof(RayListHead, marchGroups));
+    gl::dispatchIndirect(rays_, offsetof(RayListHead, marchGroups));
     gl::barrier(gl::Barrier::image);
     fillProgram_.use();
-    gl::dispatchIndirect(screen_->rays, offsetof(RayListHead, fillGroups));
+    gl::dispatchIndirect(rays_, offsetof(RayListHead, fillGroups));
     gl::barrier(gl::Barrier::textureFetch);
 }
 
 void CloudPass::composite(FrameContext const& context) {
     if (scene_.empty()) return;
     compositeProgram_.use();
-    screen_->light[newest()].bind(0);
-    screen_->facts[newest()].bind(1);
+    newest().light.bind(0);
+    newest().facts.bind(1);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
-    gl::dispatchOver(screen_->size, kGroup);
+    gl::dispatchOver(context.targets.size, kGroup);
     gl::barrier(gl::Barrier::all);
 }
 
 std::size_t CloudPass::screenBytes() const {
     std::size_t sum = shadow_.bytes() + depths_.bytes();
-    if (!screen_) return sum;
-    for (std::size_t i = 0; i < 2; ++i) sum += screen_->light[i].bytes() + screen_->facts[i].bytes();
-    return sum + screen_->rays.bytes();
+    for (std::optional<Store> const& store : stores_)
+        if (store) sum += store->light.bytes() + store->facts.bytes();
+    return sum + rays_.bytes();
 }
 }  // namespace luftpost::render

@@ -36,21 +36,18 @@ public:
     std::size_t screenBytes() const;
 
 private:
-    /// One ray's answer per pixel (lib/cloud_store.glsl): the newest, and that of the frame before once there is one.
-    struct Screen {
-        explicit Screen(glm::ivec2 const& size);
-        /// What frames with a history need besides.
-        void prepareHistory();
-        glm::ivec2 size;
-        std::array<gl::Texture2D, 2> light, facts;
-        gl::Buffer rays;  // CloudRayList of lib/cloud_rays.glsl
+    /// One ray's answer per pixel (lib/cloud_store.glsl).
+    struct Store {
+        explicit Store(glm::ivec2 const& size);
+        gl::Texture2D light, facts;
     };
 
-    void prepareScreen(glm::ivec2 const& size);
-    void bindStore() const;
+    /// Takes the store that this frame is written to; those of other sizes are kept as history.
+    void takeStore(glm::ivec2 const& size);
     void findAgain(FrameContext const& context);
     void marchAsked();
-    std::size_t newest() const { return static_cast<std::size_t>(newest_); }
+    Store const& newest() const { return *stores_[static_cast<std::size_t>(newest_)]; }
+    Store const& older() const { return *stores_[static_cast<std::size_t>(1 - newest_)]; }
 
     gl::Program const& marchProgram_;
     gl::Program const& resolveProgram_;
@@ -60,10 +57,11 @@ private:
     CloudScene scene_;
     CloudShadow shadow_;
     CloudDepths depths_;
-    std::optional<Screen> screen_;
+    std::array<std::optional<Store>, 2> stores_;
+    gl::Buffer rays_;                // CloudRayList of lib/cloud_rays.glsl
     std::uint64_t frame_ = 0;
-    int newest_ = 0;                 // which of light and facts holds the latest picture
-    bool history_ = false;           // the other one holds the frame before
+    int newest_ = 0;                 // which store holds the latest picture
+    bool history_ = false;           // it does
     float exposureBefore_ = 1.0f;
 };
 }  // namespace luftpost::render

@@ -109,10 +109,15 @@ bool cloudMayBeOf(int bits, vec3 p) {
 /// Optical depth of the layers that lie above `p`'s own, where a way along `toward` passes them.
 float depthOfLayersAbove(vec3 p, vec3 toward) {
     float sum = 0.0;
-    for (int layer = 0; layer < clouds.march.x; ++layer) {
+    int bits = 0;
+    for (int layer = 0; layer < kCloudLayers; ++layer) {
+        vec4 extent = clouds.shapes[layer].extent;
+        bits |= extent.z > 0.5 && 0.5 * (extent.x + extent.y) >= p.y ? 1 << layer : 0;
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        int layer = findLSB(bits);
         vec4 extent = clouds.shapes[layer].extent;
         float middle = 0.5 * (extent.x + extent.y);
-        if (extent.z < 0.5 || middle < p.y) continue;
         float coarse;
         float up = max(toward.y, 0.08);
         LayerColumn c = columnAt(layer, p.xz + toward.xz * (middle - p.y) / up, coarse);
@@ -150,8 +155,8 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
 const float kNearWay = 150.0;  // m: so far the way to the light is sampled, beyond it the grid knows
 
 /// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
-/// holds; beyond the grids samples all the way. Each sees the cloud as blurred as its stretch is long, so that a shadow has no
-/// steps; the near ones see every billow.
+/// holds; beyond the grids samples all the way. The nearest sees the billows, as blurred as its stretch is long; the others see
+/// neither fraying nor detail, so that a shadow has no steps.
 float depthToward(vec3 p, vec3 toward, float first, float lod) {
     vec3 side = normalize(abs(toward.y) < 0.9 ? vec3(toward.z, 0.0, -toward.x) : vec3(1.0, 0.0, 0.0));
     vec3 other = cross(toward, side);
@@ -159,16 +164,16 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     int grid = clouds.depthHeights.w > 0.5 ? gridOver(onPlane) : 2;
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
     if (grid < 2) leaves = min(leaves, kNearWay);
-    float sum = 0.0;
-    float start = 0.0;
-    float stretch = first;
-    for (int i = 0; i < 9 && start < leaves && sum < 60.0; ++i) {
-        if (grid == 2) stretch = min(stretch, leaves - start);
+    float blur = log2(max(first * (1.0 / 32.0), 2.0));
+    float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
+    float start = first;
+    float stretch = 1.9 * first;
+    for (int i = 1; i < 9 && start < leaves && sum < 60.0; ++i) {
+        if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        float blur = log2(max(stretch * (1.0 / 32.0), 2.0));
-        sum += cloudAt(p + toward * at + sideways, max(blur, lod)).extinction * stretch;
+        sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
         stretch *= i < 5 ? 1.9 : 3.0;
     }

@@ -23,7 +23,7 @@ vec3 driftedAt(float y) {
     return vec3(wind.x, 0.0, wind.y) * clouds.step.w;
 }
 
-/// Where the pixel's centre would have been in the old picture at a distance along its ray: clip = along * m + from.
+/// Where the pixel's centre would have been in the old picture, in pixels of its own size, at a distance along its ray: clip = along * m + from.
 struct Before {
     vec4 along;
     vec4 from;
@@ -31,20 +31,22 @@ struct Before {
 
 vec2 pixelBefore(Before before, float distance) {
     vec4 clip = before.along * distance + before.from;
-    return clip.w > 0.0 ? (clip.xy / clip.w * 0.5 + 0.5) * frame.viewport.xy : vec2(-1.0e4);
+    return clip.w > 0.0 ? (clip.xy / clip.w * 0.5 + 0.5) * vec2(textureSize(oldFacts, 0)) : vec2(-1.0e4);
 }
 
 /// The old ray nearest to where the pixel was, each taken by its own distance; its texel, x below 0 when there is none.
 ivec2 nearestRay(Before before, vec2 around, float land, out CloudFacts found) {
+    ivec2 size = textureSize(oldFacts, 0);
+    vec2 larger = frame.viewport.xy / vec2(size);
     ivec2 corner = ivec2(floor(around - 0.5));
     ivec2 best = ivec2(-1);
     float nearest = 1.0e9;
     for (int k = 0; k < 4; ++k) {
         ivec2 texel = corner + ivec2(k & 1, k >> 1);
-        if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(frame.viewport.xy)))) continue;
+        if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
         CloudFacts facts = unpackedFacts(texelFetch(oldFacts, texel, 0));
         bool guess = isGuess(facts);
-        vec2 offset = vec2(texel) + 0.5 + facts.offset - pixelBefore(before, facts.distance);
+        vec2 offset = (vec2(texel) + 0.5 + facts.offset - pixelBefore(before, facts.distance)) * larger;
         if (guess) offset = vec2(kGuess);
         float apart = dot(offset, offset);
         if (apart >= nearest || !sameLand(land, facts.land)) continue;
