@@ -3,7 +3,7 @@
 // The ray is straight in the bent picture; every sample is taken back to the flat world by flatFromCurved. Between the
 // layers it jumps to the next shell; in a shell it goes in cheap steps, that ask for outlines alone, until there may be
 // a cloud, back to where that outline begins, then in full ones to its face; through the cloud in steps whose length is
-// bounded by optical depth and by distance, never by the length of the shell; after nine empty ones it is cheap again.
+// bounded by optical depth and by distance, never by the length of the shell; after sixteen empty ones it is cheap again.
 #ifndef LUFTPOST_CLOUD_MARCH_GLSL
 #define LUFTPOST_CLOUD_MARCH_GLSL
 #include "shaders/lib/camera.glsl"
@@ -164,7 +164,7 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
 const float kSearch = 1.5;        // full steps that look for a face, as a share of the longest: at most,
 const float kShortSearch = 0.4;   // and at least
 const float kOpaque = 0.025;      // transmittance that counts as none
-const int kEmptySteps = 9;        // of these until they are cheap again
+const int kEmptySteps = 16;       // of these until they are cheap again
 
 float longestStep(float t) { return clouds.step.x + clouds.step.y * t; }
 float lodAt(float t, float length) {
@@ -186,7 +186,7 @@ struct Walk {
 
 /// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
 float faceBetween(float outside, float inside, int layers, vec3 direction, float h, float lod) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
         float middle = 0.5 * (outside + inside);
         if (cloudOf(layers, placeAt(direction, middle, h), lod).extinction > 0.0) inside = middle;
         else outside = middle;
@@ -197,7 +197,7 @@ float faceBetween(float outside, float inside, int layers, vec3 direction, float
 /// The same of outlines, asked without volumes; the last place found outside. Neighbouring rays so begin their full steps
 /// side by side, and meet or miss the same thin turret.
 float outlineBetween(float outside, float inside, int layers, vec3 direction, float h) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
         float middle = 0.5 * (outside + inside);
         if (cloudMayBeOf(layers, placeAt(direction, middle, h))) inside = middle;
         else outside = middle;
