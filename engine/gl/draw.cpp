@@ -65,17 +65,23 @@ void dispatch(glm::ivec3 const& groups) {
     glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), static_cast<GLuint>(groups.z));
 }
 
+void dispatchIndirect(Buffer const& groups, std::size_t offset) {
+    CHECK(offset + 3 * sizeof(GLuint) <= groups.bytes(), "groups at {} of a buffer of {} bytes", offset, groups.bytes());
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+}
+
 void dispatchOver(glm::ivec2 const& size, glm::ivec2 const& local) {
     dispatch({(size.x + local.x - 1) / local.x, (size.y + local.y - 1) / local.y, 1});
 }
 
 void barrier(Barrier which) {
-    static constexpr std::array<GLbitfield, 8> kBits{GL_TEXTURE_FETCH_BARRIER_BIT, GL_SHADER_IMAGE_ACCESS_BARRIER_BIT,
+    static constexpr std::array<GLbitfield, 9> kBits{GL_TEXTURE_FETCH_BARRIER_BIT, GL_SHADER_IMAGE_ACCESS_BARRIER_BIT,
                                                      GL_SHADER_STORAGE_BARRIER_BIT, GL_UNIFORM_BARRIER_BIT,
                                                      GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT,
                                                      GL_FRAMEBUFFER_BARRIER_BIT,
                                                      GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT,
-                                                     GL_ALL_BARRIER_BITS};
+                                                     GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT, GL_ALL_BARRIER_BITS};
     glMemoryBarrier(kBits[static_cast<std::size_t>(which)]);
 }
 }  // namespace luftpost::gl

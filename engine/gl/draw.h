@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "engine/gl/buffer.h"
 #include "engine/gl/types.h"
 #include "engine/gl/vertex_array.h"
 
@@ -40,10 +41,12 @@ void drawElements(VertexArray const& vertices, Primitive primitive, int count, s
 void drawFullscreen();
 
 void dispatch(glm::ivec3 const& groups);
+/// As many groups as the three unsigned numbers at `offset` of a buffer say, which a shader may have written.
+void dispatchIndirect(Buffer const& groups, std::size_t offset);
 /// As many groups of `local` invocations as cover `size`.
 void dispatchOver(glm::ivec2 const& size, glm::ivec2 const& local);
 
 /// What later commands read of what earlier shaders wrote through images and storage buffers.
-enum class Barrier { textureFetch, image, storage, uniform, vertices, framebuffer, readBack, all };
+enum class Barrier { textureFetch, image, storage, uniform, vertices, framebuffer, readBack, indirect, all };
 void barrier(Barrier barrier);
 }  // namespace luftpost::gl

@@ -5,31 +5,35 @@
 namespace luftpost::render {
 namespace {
 constexpr glm::ivec2 kGroup{8, 8};
-constexpr int kBlock = 4;  // one ray in 4 x 4 a frame
+constexpr unsigned kRayListBinding = 8;
+constexpr unsigned kAskedShare = 16;  // one pixel in so many may ask for a ray of its own in a frame
 
-glm::ivec2 marchedSize(glm::ivec2 const& size, bool whole) { return whole ? size : (size + kBlock - 1) / kBlock; }
+/// The head of CloudRayList: groups of two dispatches, the length of the list, the budget.
+struct RayListHead {
+    std::array<std::uint32_t, 4> marchGroups{0, 1, 1, 0};
+    std::array<std::uint32_t, 4> fillGroups{0, 1, 1, 0};
+};
+
+std::size_t pixelCount(glm::ivec2 const& size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 }  // namespace
 
-CloudPass::Screen::Screen(glm::ivec2 const& pixels, bool all)
-    : size{pixels},
-      whole{all},
-      marchedLight{gl::Format::rgba16f, marchedSize(pixels, all), 1, "marched cloud light"},
-      marchedDistance{gl::Format::rg32f, marchedSize(pixels, all), 1, "marched cloud distance"} {
-    if (whole) return;
-    for (gl::Texture2D& texture : light) texture = gl::Texture2D{gl::Format::rgba16f, pixels, 1, "cloud light"};
-    for (gl::Texture2D& texture : facts) texture = gl::Texture2D{gl::Format::rgba16f, pixels, 1, "cloud facts"};
-}
+CloudPass::Store::Store(glm::ivec2 const& size)
+    : light{gl::Format::rgba16f, size, 1, "cloud light"}, facts{gl::Format::rgba16f, size, 1, "cloud facts"} {}
 
 CloudPass::CloudPass(gl::ProgramLibrary& programs)
     : marchProgram_{programs.compute("cloud_march")},
       resolveProgram_{programs.compute("cloud_resolve")},
+      listProgram_{programs.compute("cloud_march_list")},
+      fillProgram_{programs.compute("cloud_fill")},
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
-      shadow_{programs} {}
+      shadow_{programs},
+      depths_{programs} {}
 
 void CloudPass::describe(Snapshot const& snapshot) {
     scene_.update(snapshot, frame_++);
     shadow_.place(snapshot, scene_);
+    depths_.place(snapshot, scene_);
     scene_.upload();
 }
 
@@ -37,61 +41,87 @@ void CloudPass::prepare(FrameContext const& context) {
     scene_.bind();
     shadow_.draw(context, scene_);
     shadow_.bind();
+    depths_.draw(scene_);
+    depths_.bind();
 }
 
-void CloudPass::draw(FrameContext const& context) {
+void CloudPass::takeStore(glm::ivec2 const& size) {
+    if (scene_.leapt()) history_ = false;
+    if (scene_.block().march.w > 1) {
+        newest_ = 1 - newest_;
+        std::size_t const list = sizeof(RayListHead) + pixelCount(size) * sizeof(std::uint32_t);
+        if (rays_.bytes() != list) rays_ = gl::Buffer{list, "cloud ray list"};
+    }
+    std::optional<Store>& store = stores_[static_cast<std::size_t>(newest_)];
+    if (!store || store->light.size() != size) store.emplace(size);
+}
+
+void CloudPass::march(FrameContext const& context) {
     if (scene_.empty()) {
         history_ = false;
         return;
     }
-    bool const whole = scene_.block().march.w == 1;
-    if (!screen_ || screen_->size != context.targets.size || screen_->whole != whole) {
-        screen_.emplace(context.targets.size, whole);
-        history_ = false;
-    }
+    takeStore(context.targets.size);
     scene_.bind();
-    march(context);
-    if (!whole) resolve(context);
-    composite(context);
-    exposureBefore_ = context.frame.exposure.x;
-}
-
-void CloudPass::march(FrameContext const& context) {
     marchProgram_.use();
     context.targets.depth.bind(0);
-    screen_->marchedLight.bindImage(0, gl::Access::write);
-    screen_->marchedDistance.bindImage(1, gl::Access::write);
-    gl::dispatchOver(screen_->marchedLight.size(), kGroup);
-    gl::barrier(gl::Barrier::textureFetch);
+    newest().light.bindImage(0, gl::Access::readWrite);
+    newest().facts.bindImage(1, gl::Access::readWrite);
+    int const side = scene_.block().march.w;
+    gl::dispatchOver((context.targets.size + side - 1) / side, kGroup);
+    gl::barrier(gl::Barrier::all);
 }
 
 void CloudPass::resolve(FrameContext const& context) {
-    auto const older = static_cast<std::size_t>(newest_);
-    auto const newer = 1 - older;
+    if (scene_.empty()) return;
+    if (scene_.block().march.w > 1) {
+        findAgain(context);
+        marchAsked();
+    }
+    history_ = true;
+    exposureBefore_ = context.frame.exposure.x;
+}
+
+void CloudPass::findAgain(FrameContext const& context) {
+    RayListHead head;
+    head.fillGroups[3] = static_cast<std::uint32_t>(pixelCount(context.targets.size) / kAskedShare);
+    rays_.update(gl::bytesOf(head));
+    rays_.bindStorage(kRayListBinding);
     resolveProgram_.use();
-    resolveProgram_.set("historyValid", history_ && context.historyValid ? 1.0f : 0.0f);
+    bool const known = history_ && context.historyValid;
+    resolveProgram_.set("historyValid", known ? 1.0f : 0.0f);
     resolveProgram_.set("exposureRatio", context.frame.exposure.x / exposureBefore_);
     context.targets.depth.bind(0);
-    screen_->marchedLight.bind(1);
-    screen_->marchedDistance.bind(2);
-    screen_->light[older].bind(3);
-    screen_->facts[older].bind(4);
-    screen_->light[newer].bindImage(0, gl::Access::write);
-    screen_->facts[newer].bindImage(1, gl::Access::write);
-    gl::dispatchOver(screen_->size, kGroup);
+    (known ? older() : newest()).light.bind(1);
+    (known ? older() : newest()).facts.bind(2);
+    newest().facts.bind(3);
+    gl::dispatchOver(context.targets.size, kGroup);
+    gl::barrier(gl::Barrier::all);
+}
+
+void CloudPass::marchAsked() {
+    listProgram_.use();
+    gl::dispatchIndirect(rays_, offsetof(RayListHead, marchGroups));
+    gl::barrier(gl::Barrier::image);
+    fillProgram_.use();
+    gl::dispatchIndirect(rays_, offsetof(RayListHead, fillGroups));
     gl::barrier(gl::Barrier::textureFetch);
-    newest_ = static_cast<int>(newer);
-    history_ = true;
 }
 
 void CloudPass::composite(FrameContext const& context) {
-    auto const newest = static_cast<std::size_t>(newest_);
+    if (scene_.empty()) return;
     compositeProgram_.use();
-    compositeProgram_.set("inverted", screen_->whole ? 0 : 1);
-    (screen_->whole ? screen_->marchedLight : screen_->light[newest]).bind(0);
-    (screen_->whole ? screen_->marchedDistance : screen_->facts[newest]).bind(1);
+    newest().light.bind(0);
+    newest().facts.bind(1);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
-    gl::dispatchOver(screen_->size, kGroup);
+    gl::dispatchOver(context.targets.size, kGroup);
     gl::barrier(gl::Barrier::all);
+}
+
+std::size_t CloudPass::screenBytes() const {
+    std::size_t sum = shadow_.bytes() + depths_.bytes();
+    for (std::optional<Store> const& store : stores_)
+        if (store) sum += store->light.bytes() + store->facts.bytes();
+    return sum + rays_.bytes();
 }
 }  // namespace luftpost::render

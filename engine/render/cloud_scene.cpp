@@ -16,7 +16,6 @@ constexpr int kTileBudget = 2;          // tiles uploaded a frame, half a megaby
 constexpr float kShortestStep = 26.0f;  // m
 constexpr float kStepPerDistance = 0.014f;
 constexpr float kReach = 390'000.0f;    // m: the horizon of 12 km
-constexpr std::uint64_t kGoldenTurn = 10'368'890;  // of 2^24: the golden ratio's fraction, for the rays' random offset
 
 gl::Texture3D volumeTexture(weather::NoiseVolume const& volume, std::string_view label) {
     gl::Texture3D texture{gl::Format::rgba8, volume.size(), volume.levelCount(), label};
@@ -114,11 +113,15 @@ void CloudScene::placeMaps(Snapshot const& snapshot, weather::Weather const& sky
 }
 
 void CloudScene::fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber) {
-    bool const all = snapshot.still || snapshot.clouds.rays > 0.5f || snapshot.camera.projection != Projection::perspective;
+    double const weatherSeconds = snapshot.time - weatherBefore_.value_or(snapshot.time);
+    weatherBefore_ = snapshot.time;
+    leapt_ = std::abs(weatherSeconds) > kOldestWeatherSeconds;
+    bool const all = snapshot.still || leapt_ || snapshot.camera.projection != Projection::perspective;
+    if (!all) blocks_.note(snapshot.frameSeconds, std::abs(weatherSeconds));
+    int const side = all ? 1 : blocks_.side(blockSide(snapshot.clouds.rays));
     block_.light = {snapshot.clouds.hg, snapshot.clouds.powder, snapshot.clouds.shadows ? 1.0f : 0.0f, 0.0f};
-    block_.march = {block_.march.x, snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % 16), all ? 1 : 0};
-    float const random = static_cast<float>((frameNumber / 16 * kGoldenTurn) % 16777216u) / 16777216.0f;
-    block_.step = {kShortestStep, kStepPerDistance, kReach, snapshot.still ? 0.0f : random};
+    block_.march = {block_.march.x, snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % static_cast<std::uint64_t>(side * side)), side};
+    block_.step = {kShortestStep, kStepPerDistance, kReach, static_cast<float>(weatherSeconds)};
 }
 
 void CloudScene::update(Snapshot const& snapshot, std::uint64_t frameNumber) {

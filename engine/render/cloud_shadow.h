@@ -18,6 +18,8 @@ public:
     void draw(FrameContext const& context, CloudScene const& scene);
     /// For the passes that read it.
     void bind() const;
+    /// Of the map.
+    std::size_t bytes() const { return map_.bytes(); }
 
 private:
     gl::Program const& program_;

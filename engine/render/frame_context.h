@@ -30,7 +30,7 @@ struct FrameContext {
     glsl::FrameBlock& frame;
     Targets& targets;
     std::uint64_t number = 0;   // of the frame since the renderer was made
-    bool historyValid = false;  // the previous frame had the same size and projection, and this is no still
+    bool historyValid = false;  // the previous frame had the same projection, and this is no still
 };
 
 /// Position relative to the frame's camera, as the GPU gets it (not bent yet).

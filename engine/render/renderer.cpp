@@ -165,7 +165,9 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("clear", [&] { p.clear(*p.targets); });
     p.drawOpaque(context);
     pass("composite", [&] { p.composite.draw(context); });
-    pass("clouds", [&] { p.clouds.draw(context); });
+    pass("cloud march", [&] { p.clouds.march(context); });
+    pass("cloud resolve", [&] { p.clouds.resolve(context); });
+    pass("cloud composite", [&] { p.clouds.composite(context); });
     pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("smoke", [&] { p.puffs.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
@@ -200,7 +202,7 @@ void Renderer::Parts::drawLand(FrameContext const& context) {
 void Renderer::Parts::begin(Snapshot const& snapshot) {
     reloadShaders();
     glm::ivec2 const size = scaled(options.size, snapshot.graphics.resolution);
-    historyValid = !snapshot.still && targets && targets->size == size && projection == snapshot.camera.projection && history;
+    historyValid = !snapshot.still && targets && projection == snapshot.camera.projection && history;
     if (!targets || targets->size != size) targets.emplace(size);
     if (!historyValid) history.reset();
     projection = snapshot.camera.projection;
@@ -291,5 +293,6 @@ void Renderer::setTiming(bool on) {
 }
 terrain::StreamerStats Renderer::chunkStats() const { return parts_->land.stats(); }
 std::size_t Renderer::cloudBytes() const { return parts_->clouds.bytes(); }
+std::size_t Renderer::skyBytes() const { return parts_->sky.bytes() + parts_->clouds.bytes() + parts_->clouds.screenBytes(); }
 std::vector<PassTime> const& Renderer::passTimes() const { return parts_->times; }
 }  // namespace luftpost::render

@@ -70,6 +70,8 @@ public:
     terrain::StreamerStats chunkStats() const;
     /// GPU bytes of noise volumes and cloud map, screen-sized buffers apart.
     std::size_t cloudBytes() const;
+    /// GPU bytes of all that the sky needs: its tables, the clouds' volumes, maps, shadow and grids, and what they keep of each pixel.
+    std::size_t skyBytes() const;
 
 private:
     struct Parts;

@@ -23,6 +23,9 @@ public:
 
     sky::SkyLight const& light() const { return light_; }
 
+    /// GPU bytes of its tables.
+    std::size_t bytes() const { return transmittance_.bytes() + multiple_.bytes() + view_.bytes() + aerial_.bytes() + aerialThrough_.bytes(); }
+
 private:
     /// What the tables around the camera were made for.
     struct View {

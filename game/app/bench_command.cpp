@@ -14,6 +14,7 @@
 #include "engine/core/time.h"
 #include "engine/gl/context.h"
 #include "engine/platform/surface.h"
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/render/yardstick.h"
 #include "engine/sky/sky_state.h"
@@ -61,6 +62,7 @@ render::Snapshot snapshotOf(BenchScene const& scene, weather::Field const& field
         glm::angleAxis(core::radians(scene.elevation_deg), glm::dvec3{1.0, 0.0, 0.0});
     snapshot.graphics = common.settings.graphics;
     snapshot.clouds = common.settings.flight.clouds;
+    render::applyQuality(snapshot.graphics.quality, snapshot.graphics, snapshot.clouds);
     if (peerTerms) {
         snapshot.clouds.rays = 1.0f;
         snapshot.graphics.cloudSteps = 64;
@@ -162,7 +164,8 @@ int runBench(BenchTexts const& texts, CommonOptions const& common) {
     result["startup_ms"] = startup;
     result["memory"] = {{"rss_mb", residentMemory_mb()},
                         {"gpu_mb", megabytes(gl::allocatedBytes())},
-                        {"cloud_mb", megabytes(renderer.cloudBytes())}};
+                        {"cloud_mb", megabytes(renderer.cloudBytes())},
+                        {"sky_mb", megabytes(renderer.skyBytes())}};
     core::writeFileAtomically(texts.json, result.dump(2) + "\n");
     return 0;
 }

@@ -60,6 +60,7 @@ void Game::frame(FrameStep const& step) {
     advance(step);
     takeEvents();
     moveCamera(step);
+    resolution_.note(step.wall, settings_.graphics.framesPerSecond);
     desk_.advance(step.wall, paused(), *session_);
     if (photo_) complain(photo_->follow(session_->simulation().utc()));
     drawPicture(step, drawScreen(step), false);
@@ -143,6 +144,7 @@ render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen
     FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
     render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
     snapshot.still = still;
+    if (!still) snapshot.graphics.resolution = resolution_.scale(snapshot.graphics.resolution, settings_.graphics.framesPerSecond);
     snapshot.debug = debug_;
     snapshot.ui = screen;
     snapshot.fontVersion = screen_.fontVersion();

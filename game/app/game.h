@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/platform/surface.h"
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "game/app/frame_clock.h"
 #include "game/app/messages.h"
@@ -57,6 +58,7 @@ private:
     void answerConfig(ui::ConfigAnswer const& answer);
     void answerPause(ui::PauseChoice choice);
     void change(ui::SettingChange const& change);
+    void leavePreset(std::string const& key);
     void answerWeather(ui::WeatherAnswer const& answer);
     void flyHour(RealHour const& hour);
     void nextPhotoMode();
@@ -96,6 +98,7 @@ private:
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;
+    render::ResolutionScale resolution_;
     bool configOpen_ = false, keysOpen_ = false, pauseOpen_ = false;
     bool weatherPage_ = false;  // the config menu opens there
     bool paused_ = false;

@@ -95,10 +95,21 @@ void Game::answerPause(ui::PauseChoice choice) {
     if (choice == PauseChoice::resume || choice == PauseChoice::restart) pauseOpen_ = paused_ = false;
 }
 
+/// Whoever moves what a preset decides goes on from the preset with settings of their own.
+void Game::leavePreset(std::string const& key) {
+    if (settings_.graphics.quality == render::Quality::own || !render::decidedByQuality(key)) return;
+    weather::CloudSettings clouds = settings_.flight.clouds;
+    render::applyQuality(settings_.graphics.quality, settings_.graphics, clouds);
+    settings_.graphics.quality = render::Quality::own;
+    for (core::Setting const& setting : list_)
+        if (setting.key == "graphics.quality" || render::decidedByQuality(setting.key)) stored_.change(setting.key, setting.get());
+}
+
 /// Applies a setting at once: to the flight as a stamped input, to everything else directly.
 void Game::change(ui::SettingChange const& wanted) {
     core::Setting* const setting = core::findSetting(list_, wanted.key);
     if (!setting || setting->get() == wanted.value) return;
+    leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
     applyGraphics();

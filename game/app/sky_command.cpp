@@ -13,6 +13,7 @@
 #include "engine/gl/context.h"
 #include "engine/platform/paths.h"
 #include "engine/platform/surface.h"
+#include "engine/render/quality.h"
 #include "engine/render/reference_picture.h"
 #include "engine/render/renderer.h"
 #include "engine/sky/sky_state.h"
@@ -192,6 +193,7 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
     snapshot.still = true;
     snapshot.graphics = common.settings.graphics;
     snapshot.clouds = common.settings.flight.clouds;
+    render::applyQuality(snapshot.graphics.quality, snapshot.graphics, snapshot.clouds);
     snapshot.graphics.exposure_ev += request.exposure_ev;
     snapshot.graphics.resolution = 1.0f;  // a still has the size that was asked for
     snapshot.time = scene.start + seconds;

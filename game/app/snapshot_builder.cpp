@@ -1,5 +1,7 @@
 #include "game/app/snapshot_builder.h"
 
+#include "engine/render/quality.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtx/quaternion.hpp>
@@ -207,6 +209,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.camera.horizontalFov = view.camera.horizontalFov;
     snapshot.graphics = settings.graphics;
     snapshot.clouds = settings.flight.clouds;
+    render::applyQuality(settings.graphics.quality, snapshot.graphics, snapshot.clouds);
     snapshot.time = simulation.utc();
     snapshot.simulationSeconds = simulation.seconds();
     snapshot.frameSeconds = view.seconds;

@@ -2,8 +2,8 @@
 //
 // The ray is straight in the bent picture; every sample is taken back to the flat world by flatFromCurved. Between the
 // layers it jumps to the next shell; in a shell it goes in cheap steps, that ask for outlines alone, until there may be
-// a cloud, back to where that outline begins, then in full ones, whose length is bounded by optical depth and by distance,
-// never by the length of the shell; after nine empty ones, two thirds as long, it is cheap again.
+// a cloud, back to where that outline begins, then in full ones to its face; through the cloud in steps whose length is
+// bounded by optical depth and by distance, never by the length of the shell; after sixteen empty ones it is cheap again.
 #ifndef LUFTPOST_CLOUD_MARCH_GLSL
 #define LUFTPOST_CLOUD_MARCH_GLSL
 #include "shaders/lib/camera.glsl"
@@ -17,20 +17,6 @@ struct MarchResult {
     float through;   // transmittance
     float distance;  // m, mean of where the light came from, weighted by what reached the eye
 };
-
-const int kRayOfBlock[16] = int[16](0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12);
-
-/// The pixel whose ray stands for `place` of the marched picture: itself, or one of its 4 x 4 block, each in its turn.
-ivec2 marchedPixel(ivec2 place) {
-    if (clouds.march.w == 1) return place;
-    int ray = kRayOfBlock[clouds.march.z];
-    return place * 4 + ivec2(ray & 3, ray >> 2);
-}
-
-/// Interleaved gradient noise (Jimenez 2014), moved from frame to frame: neighbours differ as much as they can.
-float randomOf(ivec2 pixel) {
-    return fract(52.9829189 * fract(0.06711056 * float(pixel.x) + 0.00583715 * float(pixel.y)) + clouds.step.w);
-}
 
 /// Both distances along the ray at which it crosses altitude `s`, nearer first; negative where it does not.
 vec2 crossings(float h, float mu, float s) {
@@ -57,12 +43,6 @@ float nextFace(float h, float mu, float t, float end) {
         if (high.y > t) next = min(next, high.y);
     }
     return next;
-}
-
-bool insideAnyShell(float y) {
-    for (int layer = 0; layer < clouds.march.x; ++layer)
-        if (layerReaches(layer, y)) return true;
-    return false;
 }
 
 /// A direction of the world as it stands in the flat frame under the sample, whose up has turned with the Earth.
@@ -181,44 +161,10 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
-const float kSearch = 0.65;       // full steps that look for a face, as a share of the longest: at most,
-const float kShortSearch = 0.25;  // and at least
+const float kSearch = 1.5;        // full steps that look for a face, as a share of the longest: at most,
+const float kShortSearch = 0.4;   // and at least
 const float kOpaque = 0.025;      // transmittance that counts as none
-const int kEmptySteps = 9;        // of these until they are cheap again
-
-/// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
-float faceBetween(float outside, float inside, vec3 direction, float h, float lod) {
-    for (int i = 0; i < 4; ++i) {
-        float middle = 0.5 * (outside + inside);
-        vec3 p = flatFromCurved(direction * middle, h);
-        if (cloudAt(p + vec3(0.0, h, 0.0), lod).extinction > 0.0) inside = middle;
-        else outside = middle;
-    }
-    return inside;
-}
-
-/// The same of outlines, asked without volumes; the last place found outside. Neighbouring rays so begin their full steps
-/// side by side, and meet or miss the same thin turret.
-float outlineBetween(float outside, float inside, vec3 direction, float h) {
-    if (inside - outside < 1.0) return inside;
-    for (int i = 0; i < 4; ++i) {
-        float middle = 0.5 * (outside + inside);
-        vec3 p = flatFromCurved(direction * middle, h);
-        if (cloudMayBeAt(p + vec3(0.0, h, 0.0))) inside = middle;
-        else outside = middle;
-    }
-    return outside;
-}
-
-/// Where a ray stands between its samples.
-struct Walk {
-    float t;
-    float face;    // where it came into the shells
-    float stride;  // m, of the next step
-    bool full;     // full steps, else cheap ones
-    int empty;     // full steps without cloud since the last one with
-    int left;      // thirds of steps that may still be taken
-};
+const int kEmptySteps = 16;       // of these until they are cheap again
 
 float longestStep(float t) { return clouds.step.x + clouds.step.y * t; }
 float lodAt(float t, float length) {
@@ -229,89 +175,145 @@ vec3 placeAt(vec3 direction, float t, float h) {
     return vec3(p.x, p.y + h, p.z);
 }
 
-/// Goes on to the next cloud; false when the ray ends first. Its own loop: rays that have found one wait for the rest,
-/// and then all do the costly part at once.
-bool findCloud(vec3 direction, float h, float end, float random, inout Walk walk, out CloudSample here, out vec3 p) {
-    here = noCloud();
-    p = vec3(0.0);
-    while (walk.t < end && walk.left > 0) {
-        walk.left -= 3;
-        p = placeAt(direction, walk.t, h);
-        float longest = longestStep(walk.t);
-        if (!insideAnyShell(p.y)) {
-            walk.face = nextFace(h, direction.y, walk.t, end) + 0.5;
-            walk.t = walk.face;
-            walk.stride = 0.0;
-            walk.full = false;
-        } else if (!walk.full) {
-            if (cloudMayBeAt(p)) {
-                walk.full = true;
-                walk.t = outlineBetween(walk.t - walk.stride, walk.t, direction, h);
-                walk.stride = min(kSearch * longest, walk.t - walk.face);
-                walk.empty = walk.stride > 1.0 ? 1 : 0;
-            } else {
-                walk.stride = (walk.t > walk.face ? 2.0 : 1.0 + random) * longest;
-                walk.t += walk.stride;
-            }
-        } else {
-            here = cloudAt(p, lodAt(walk.t, walk.stride));
-            if (here.extinction > 0.0) return true;
-            // On to the face, whose distance is known to first order: short steps where a turret may be missed.
-            float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
-            walk.left += 3 - int(3.0 * share);  // charged by its length
-            walk.stride = share * longest;
-            walk.t += walk.stride;
-            if (++walk.empty >= kEmptySteps) {
-                walk.full = false;
-                walk.stride = 0.0;  // all behind is known: nowhere to go back to
-            }
-        }
+/// Where a ray stands between its samples. Between two faces of shells it is in the same layers all the way.
+struct Walk {
+    float t;
+    float end;     // the next face of a shell, or the ray's end
+    float stride;  // m, of the step that led here; 0: nothing is known of what is behind
+    int layers;    // that reach where it is
+    int left;      // thirds of steps that may still be taken
+};
+
+/// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
+float faceBetween(float outside, float inside, int layers, vec3 direction, float h, float lod) {
+    for (int i = 0; i < 3; ++i) {
+        float middle = 0.5 * (outside + inside);
+        if (cloudOf(layers, placeAt(direction, middle, h), lod).extinction > 0.0) inside = middle;
+        else outside = middle;
     }
-    return false;
+    return inside;
+}
+
+/// The same of outlines, asked without volumes; the last place found outside. Neighbouring rays so begin their full steps
+/// side by side, and meet or miss the same thin turret.
+float outlineBetween(float outside, float inside, int layers, vec3 direction, float h) {
+    for (int i = 0; i < 3; ++i) {
+        float middle = 0.5 * (outside + inside);
+        if (cloudMayBeOf(layers, placeAt(direction, middle, h))) inside = middle;
+        else outside = middle;
+    }
+    return outside;
+}
+
+// The loops stand one after the other, each with little in it: rays that are through with one wait for the rest, and then all do
+// the next together.
+
+/// In cheap steps on to where there may be cloud; false when the stretch between two faces ends before.
+bool findOutline(vec3 direction, float h, inout Walk walk) {
+    bool found = false;
+    while (!found && walk.t < walk.end && walk.left > 0) {
+        walk.left -= 3;
+        found = cloudMayBeOf(walk.layers, placeAt(direction, walk.t, h));
+        if (found) break;
+        walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
+        walk.t += walk.stride;
+    }
+    if (!found) {
+        walk.t = min(walk.t, walk.end);
+        return false;
+    }
+    float outside = outlineBetween(walk.t - walk.stride, walk.t, walk.layers, direction, h);
+    walk.stride = walk.stride > 0.0 ? min(kSearch * longestStep(walk.t), outside - walk.t + walk.stride) : 0.0;
+    walk.t = outside;
+    return true;
+}
+
+/// In full steps on to a cloud's face; false when there is none for some of them.
+bool findFace(vec3 direction, float h, inout Walk walk) {
+    int empty = 0;
+    bool found = false;
+    float lod = 0.0;
+    while (!found && empty < kEmptySteps && walk.t < walk.end && walk.left > 0) {
+        lod = lodAt(walk.t, walk.stride);
+        CloudSample here = cloudOf(walk.layers, placeAt(direction, walk.t, h), lod);
+        found = here.extinction > 0.0;
+        if (found) break;
+        // On to the face, whose distance is known to first order: short steps where a turret may be missed.
+        float longest = longestStep(walk.t);
+        float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
+        walk.left -= int(3.0 * share);  // charged by its length
+        walk.stride = share * longest;
+        walk.t += walk.stride;
+        ++empty;
+    }
+    if (!found) {
+        walk.stride = 0.0;  // all behind is known: nowhere to go back to
+        walk.t = min(walk.t, walk.end);
+        return false;
+    }
+    if (walk.stride > 0.0) walk.t = faceBetween(walk.t - walk.stride, walk.t, walk.layers, direction, h, lod);
+    return true;
+}
+
+/// What a ray has gathered of bodies: `distance` is a sum until it is divided by `weights`.
+struct Gathered {
+    MarchResult ray;
+    float weights;
+};
+
+/// Through the cloud whose face the ray has come to, until it is out of it or nothing more gets through. The middle of a step
+/// stands for it, and says how long the next one may be.
+void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gathered sum) {
+    LightThere there = lightThere(placeAt(direction, walk.t, h), direction, walk.t, key);
+    float cosine = dot(direction, key.toward);
+    float shortest = max(10.0, 0.0015 * walk.t);
+    float length = min(walk.stride > 0.0 ? 2.0 * shortest : shortest, longestStep(walk.t));
+    bool inside = true;
+    float far = walk.t + 2000.0 + 0.1 * walk.t;  // until the light has to be asked anew
+    while (inside && sum.ray.through > kOpaque && walk.t < min(walk.end, far) && walk.left > 0) {
+        walk.left -= 3;
+        float middle = walk.t + 0.5 * length;
+        vec3 p = placeAt(direction, middle, h);
+        CloudSample here = cloudOf(walk.layers, p, lodAt(walk.t, length));
+        inside = here.extinction > 0.0;
+        float kept = exp(-here.extinction * length);
+        float weight = sum.ray.through * (1.0 - kept);
+        // What little still reaches the eye needs no near billows on its way to the light.
+        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 18.0, 240.0);
+        if (inside) sum.ray.light += weight * lightAt(p, there, here, cosine, lodAt(walk.t, length), first);
+        sum.ray.distance += weight * middle;
+        sum.weights += weight;
+        sum.ray.through *= kept;
+        walk.t += length;
+        walk.stride = length;
+        shortest = max(10.0, 0.0015 * walk.t);
+        float depth = mix(1.8, 0.8, sum.ray.through);  // what little still reaches the eye needs no fine steps
+        length = min(min(length * 1.5, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
+    }
+    if (inside) walk.stride = 0.0;  // no face behind
 }
 
 /// Layers with a body.
-MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
+MarchResult marchBodies(vec3 direction, float end, KeyLight key) {
     float h = frame.cameraWorld.y;
-    MarchResult ray = MarchResult(vec3(0.0), 1.0, 0.0);
-    float weights = 0.0;
-    float cosine = dot(direction, key.toward);
-    Walk walk = Walk(0.0, 0.0, 0.0, false, 0, 3 * clouds.march.y);
-    LightThere there;
-    there.asked = -1.0e6;
-    CloudSample here;
-    vec3 p;
-    while (ray.through > kOpaque && findCloud(direction, h, end, random, walk, here, p)) {
-        float longest = longestStep(walk.t);
-        float shortest = max(10.0, 0.0015 * walk.t);
-        float lod = lodAt(walk.t, walk.stride);
-        if (walk.empty > 0) {
-            walk.t = faceBetween(walk.t - walk.stride, walk.t, direction, h, lod);
-            p = placeAt(direction, walk.t, h);
-            here = cloudAt(p, lod);
-            walk.stride = min(2.0 * shortest, longest);
-            walk.empty = 0;
+    Gathered sum = Gathered(MarchResult(vec3(0.0), 1.0, 0.0), 0.0);
+    Walk walk = Walk(0.0, 0.0, 0.0, 0, 3 * clouds.march.y);
+    while (sum.ray.through > kOpaque && walk.t < end && walk.left > 0) {
+        if (walk.t >= walk.end) {
+            walk.t += walk.end > 0.0 ? 0.5 : 0.0;
+            walk.end = nextFace(h, direction.y, walk.t, end);
+            walk.layers = layersAt(placeAt(direction, 0.5 * (walk.t + walk.end), h).y);
+            walk.stride = 0.0;
+            if (walk.layers == 0) {
+                walk.t = walk.end;
+                continue;
+            }
         }
-        // The step's middle stands for it. An eye inside a cloud starts with no stride behind it.
-        float depth = mix(1.8, 0.8, ray.through);  // what little still reaches the eye needs no fine steps
-        float length = min(max(walk.stride, shortest), max(depth / max(here.extinction, 1e-5), shortest));
-        float middle = walk.t + 0.5 * length;
-        p = placeAt(direction, middle, h);
-        here = cloudAt(p, lod);
-        if (here.extinction > 0.0) {
-            float kept = exp(-here.extinction * length);
-            float weight = ray.through * (1.0 - kept);
-            if (middle > there.asked + 2000.0 + 0.1 * middle) there = lightThere(p, direction, middle, key);
-            float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w), 18.0, 240.0);
-            ray.light += weight * lightAt(p, there, here, cosine, lod, first);
-            ray.distance += weight * middle;
-            weights += weight;
-            ray.through *= kept;
-        }
-        walk.t += length;
-        walk.stride = min(length * 1.5, longest);
+        if (!findOutline(direction, h, walk)) continue;
+        while (sum.ray.through > kOpaque && findFace(direction, h, walk)) passCloud(direction, h, key, walk, sum);
     }
-    ray.distance = weights > 1e-5 ? ray.distance / weights : min(end, clouds.step.z);
+    MarchResult ray = sum.ray;
+    ray.distance = sum.weights > 1e-5 ? ray.distance / sum.weights : min(end, clouds.step.z);
     if (ray.through <= kOpaque) {
         ray.light /= 1.0 - ray.through;
         ray.through = 0.0;
@@ -319,10 +321,10 @@ MarchResult marchBodies(vec3 direction, float end, float random, KeyLight key) {
     return ray;
 }
 
-MarchResult marchClouds(vec3 direction, float land, float random) {
+MarchResult marchClouds(vec3 direction, float land) {
     KeyLight key = keyLight();
     float end = min(land, clouds.step.z);
-    MarchResult ray = marchBodies(direction, end, random, key);
+    MarchResult ray = marchBodies(direction, end, key);
     return withSheets(ray, direction, land, key);
 }
 #endif

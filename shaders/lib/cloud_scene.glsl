@@ -8,6 +8,10 @@ layout(binding = 10) uniform sampler2DArray cloudMap;    // ranks, [level * 4 + 
 layout(binding = 11) uniform sampler3D cloudShapeNoise;
 layout(binding = 12) uniform sampler3D cloudDetailNoise;
 layout(binding = 13) uniform sampler3D cloudCurlNoise;
+layout(binding = 16) uniform sampler3D cloudDepthGrid;   // optical depth toward the light, two grids of slices one upon the other
+
+const int kDepthSlices = 32;        // of each grid
+const float kLowestLight = 0.06;    // sine of the elevation: a lower light is taken to stand here
 
 /// Rank and how much of it is the outer level's coarse one.
 vec2 rankAt(int layer, vec2 place) {
@@ -59,12 +63,18 @@ bool layerReaches(int layer, float y) {
     return extent.z > 0.5 && clouds.shapes[layer].look.z < 0.5 && y > extent.x && y < extent.y;
 }
 
-/// All layers with a body (not the sheets of fibres) at a place; depths weighted by extinction.
-CloudSample cloudAt(vec3 p, float lod) {
+/// The layers with a body that reach an altitude, one bit each.
+int layersAt(float y) {
+    int bits = 0;
+    for (int layer = 0; layer < kCloudLayers; ++layer) bits |= layerReaches(layer, y) ? 1 << layer : 0;
+    return bits;
+}
+
+/// The layers of `bits` (not the sheets of fibres) at a place; depths weighted by extinction.
+CloudSample cloudOf(int bits, vec3 p, float lod) {
     CloudSample sum = noCloud();
-    for (int layer = 0; layer < clouds.march.x; ++layer) {
-        if (!layerReaches(layer, p.y)) continue;
-        CloudSample one = layerAt(layer, p, lod);
+    for (; bits != 0; bits &= bits - 1) {
+        CloudSample one = layerAt(findLSB(bits), p, lod);
         sum.outside = min(sum.outside, one.outside);
         if (one.extinction <= 0.0) continue;
         float share = one.extinction / (sum.extinction + one.extinction);
@@ -76,31 +86,40 @@ CloudSample cloudAt(vec3 p, float lod) {
     }
     return sum;
 }
+CloudSample cloudAt(vec3 p, float lod) { return cloudOf(layersAt(p.y), p, lod); }
 
-/// Whether there may be cloud at a place: outlines and heights alone, no volumes read.
-bool cloudMayBeAt(vec3 p) {
-    for (int layer = 0; layer < clouds.march.x; ++layer) {
-        if (!layerReaches(layer, p.y)) continue;
+/// Whether there may be cloud of the layers at a place: outlines and heights alone, no volumes read.
+bool cloudMayBeOf(int bits, vec3 p) {
+    bool found = false;
+    for (; bits != 0 && !found; bits &= bits - 1) {
+        int layer = findLSB(bits);
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
         if (p.y <= c.base || p.y >= c.top) continue;
         float share = (p.y - c.base) / (c.top - c.base);
         float towers = towerCover(c.cover, s);
-        float margin = towers - c.rank + s.look.y + 0.4 * coarse;
-        if (margin > 0.0 && (share <= riseAt(margin, towerWidth(towers, s)) || coarse > 0.0)) return true;
-        if (s.body.z > 0.0 && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0) return true;
+        float margin = towers - c.rank + s.look.y * frayWindow(c.cover) + 0.4 * coarse;
+        float rise = riseAt(margin, towerWidth(towers, s));
+        bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
+        bool anvil = s.body.z > 0.0 && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0;
+        found = (margin > 0.0 && between) || anvil;
     }
-    return false;
+    return found;
 }
 
 /// Optical depth of the layers that lie above `p`'s own, where a way along `toward` passes them.
 float depthOfLayersAbove(vec3 p, vec3 toward) {
     float sum = 0.0;
-    for (int layer = 0; layer < clouds.march.x; ++layer) {
+    int bits = 0;
+    for (int layer = 0; layer < kCloudLayers; ++layer) {
+        vec4 extent = clouds.shapes[layer].extent;
+        bits |= extent.z > 0.5 && 0.5 * (extent.x + extent.y) >= p.y ? 1 << layer : 0;
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        int layer = findLSB(bits);
         vec4 extent = clouds.shapes[layer].extent;
         float middle = 0.5 * (extent.x + extent.y);
-        if (extent.z < 0.5 || middle < p.y) continue;
         float coarse;
         float up = max(toward.y, 0.08);
         LayerColumn c = columnAt(layer, p.xz + toward.xz * (middle - p.y) / up, coarse);
@@ -118,25 +137,49 @@ float highestTop() {
     return top;
 }
 
-/// Optical depth from `p` toward a light: six samples in a widening cone and three far ones. Each sees the cloud as blurred as
-/// its stretch is long, so that a shadow has no steps; the near ones see every billow.
+/// Whether a grid covers a place, whose point on the grids' plane is `onPlane`; 2 when neither does.
+int gridOver(vec2 onPlane) {
+    float far = max(abs(onPlane.x), abs(onPlane.y));
+    return far < 0.46 * clouds.depthPlaces[0].w ? 0 : far < 0.46 * clouds.depthPlaces[1].w ? 1 : 2;
+}
+
+/// Where the light that passes a place meets the grids' plane.
+vec2 onDepthPlane(vec3 p, vec3 toward) { return p.xz - toward.xz * ((p.y - clouds.depthHeights.z) / max(toward.y, kLowestLight)); }
+
+/// Optical depth from a place to where no cloud is, read from grid `grid`.
+float griddedDepth(int grid, vec3 p, vec2 onPlane) {
+    vec4 place = clouds.depthPlaces[grid];
+    float height = clamp((p.y - clouds.depthHeights.x) / (clouds.depthHeights.y - clouds.depthHeights.x), 0.0, 1.0);
+    float slice = 0.5 * float(grid) + (height * (float(kDepthSlices) - 1.0) + 0.5) / (2.0 * float(kDepthSlices));
+    return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
+}
+
+const float kNearWay = 150.0;  // m: so far the way to the light is sampled, beyond it the grid knows
+
+/// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
+/// holds; beyond the grids samples all the way. The nearest sees the billows, as blurred as its stretch is long; the others see
+/// neither fraying nor detail, so that a shadow has no steps.
 float depthToward(vec3 p, vec3 toward, float first, float lod) {
     vec3 side = normalize(abs(toward.y) < 0.9 ? vec3(toward.z, 0.0, -toward.x) : vec3(1.0, 0.0, 0.0));
     vec3 other = cross(toward, side);
+    vec2 onPlane = onDepthPlane(p, toward);
+    int grid = clouds.depthHeights.w > 0.5 ? gridOver(onPlane) : 2;
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
-    float sum = 0.0;
-    float start = 0.0;
-    float stretch = first;
-    for (int i = 0; i < 9 && start < leaves && sum < 60.0; ++i) {
-        stretch = min(stretch, leaves - start);
+    if (grid < 2) leaves = min(leaves, kNearWay);
+    float blur = log2(max(first * (1.0 / 32.0), 2.0));
+    float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
+    float start = first;
+    float stretch = 1.9 * first;
+    for (int i = 1; i < 9 && start < leaves && sum < 60.0; ++i) {
+        if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        float blur = log2(max(stretch * (1.0 / 32.0), 2.0));
-        sum += cloudAt(p + toward * at + sideways, max(blur, lod)).extinction * stretch;
+        sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
         stretch *= i < 5 ? 1.9 : 3.0;
     }
+    if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);
     return min(sum, 60.0);
 }
 #endif

@@ -65,9 +65,12 @@ UNIFORM_BLOCK(CloudBlock, 5) {
                               // corner; z: 1 / its width; w: slice + 1, 0 = there is no such map
     vec4 shadowPlace;         // xy: m, add to a place to come to the shadow map's corner; z: 1 / its width; w: altitude of
                               // the plane on which it lies
+    vec4 depthPlaces[2];      // of the inner and the outer grid of optical depth toward the light: xy: m, add to a place on its plane to
+                              // come to the world modulo the grid's width; z: 1 / its width; w: m, the width
+    vec4 depthHeights;        // x, y: altitudes of the lowest and the highest slice; z: of the plane; w: 1 = there are grids
     vec4 light;               // x: asymmetry g; y: powder; z: 1 = shadows fall
-    ivec4 march;              // x: layers; y: most steps; z: which of the 16 rays of a 4 x 4 block; w: 1 = all rays
-    vec4 step;                // x: m, shortest step; y: step per distance; z: m, reach; w: random offset of this frame, 0..1
+    ivec4 march;              // x: layers; y: most steps; z: which ray of each block is marched; w: side of the blocks, pixels: 1, 2 or 4
+    vec4 step;                // x: m, shortest step; y: step per distance; z: m, reach; w: s of the weather's clock since the frame before
 } BLOCK_NAME(clouds);
 
 GLSL_END

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 #include "engine/core/time.h"
@@ -17,9 +19,12 @@
 namespace {
 using namespace luftpost;
 
-constexpr glm::ivec2 kSize{192, 108};
+constexpr glm::ivec2 kSize{320, 180};
+constexpr std::size_t kPixels = static_cast<std::size_t>(kSize.x * kSize.y);
 constexpr double kFrame = 1.0 / 60.0;  // s
 constexpr double kSpeed = 100.0;       // m/s
+constexpr float kAllRays = 1.0f, kFewRays = 0.0625f;
+constexpr int kRound = 16;             // frames in which every pixel is marched once
 
 struct Eye {
     glm::dvec3 position{0.0};
@@ -29,11 +34,47 @@ struct Eye {
 /// Differences of luminance from the picture of every ray, shares of the mean luminance.
 struct Error {
     double atRest = 0.0, median = 0.0, worst = 0.0;
+    double edgeWorst = 0.0;  // of the pixels within two of an edge of what is solid, in the worst frame
 };
+
+/// Luminance of each pixel.
+std::vector<double> luminances(assets::FloatImage const& image) {
+    std::vector<double> values(kPixels);
+    for (std::size_t i = 0; i < kPixels; ++i)
+        values[i] = static_cast<double>(sky::luminance({image.values[4 * i], image.values[4 * i + 1], image.values[4 * i + 2]}));
+    return values;
+}
+
+/// Mean difference over the mean, of the pixels that are meant; all when `meant` is empty.
+double difference(std::vector<double> const& few, std::vector<double> const& all, std::vector<bool> const& meant = {}) {
+    double sum = 0.0, total = 0.0;
+    for (std::size_t i = 0; i < kPixels; ++i) {
+        if (!meant.empty() && !meant[i]) continue;
+        sum += std::abs(few[i] - all[i]);
+        total += all[i];
+    }
+    return total > 0.0 ? sum / total : 0.0;
+}
+
+/// Pixels within two of one that is of the other kind.
+std::vector<bool> nearEdges(std::vector<bool> const& solid) {
+    std::vector<bool> near(kPixels);
+    for (int y = 2; y < kSize.y - 2; ++y)
+        for (int x = 2; x < kSize.x - 2; ++x) {
+            auto const at = [&](int dx, int dy) { return solid[static_cast<std::size_t>((y + dy) * kSize.x + x + dx)]; };
+            bool edge = false;
+            for (int d = 0; d < 25 && !edge; ++d) edge = at(d % 5 - 2, d / 5 - 2) != at(0, 0);
+            near[static_cast<std::size_t>(y * kSize.x + x)] = edge;
+        }
+    return near;
+}
 
 /// Two renderers see the same flight, one with history, one with every ray.
 class Flight {
 public:
+    using Path = std::function<Eye(double)>;
+    using Models = std::function<std::vector<render::ModelInstance>(double)>;
+
     Flight(std::string const& weather, bool land) : field_{weather::loadWeather(weather)} {
         snapshot_.field = &field_;
         snapshot_.place = field_.place();
@@ -47,36 +88,99 @@ public:
 
     double ground() const { return snapshot_.place.altitude_m; }
     weather::Field const& field() const { return field_; }
+    /// What is in the picture besides, at a time; the plane of the data is model `plane()`.
+    void carry(Models models) { models_ = std::move(models); }
+    render::ModelId plane() {
+        all_.loadModel("plane");
+        return few_.loadModel("plane");
+    }
 
-    /// Stands still for two rounds of the sixteen rays, then moves; looks every `every`-th frame.
-    template <class Path>
-    Error fly(Path path, int frames, int every) {
-        draw(few_, path(0.0), 0.0, true, 0.0625f);  // every chunk and cloud map there
-        for (int i = 0; i < 32; ++i) draw(few_, path(0.0), 0.0, false, 0.0625f);
-        draw(all_, path(0.0), 0.0, true, 1.0f);
-        double const atRest = difference(few_.readHdr(), all_.readHdr());
+    /// Stands still for two rounds of rays, then moves; looks every `every`-th frame.
+    Error fly(Path const& path, int frames, int every) {
+        settle(path(0.0));
+        Error error{difference(luminances(few_.readHdr()), picture(path(0.0), 0.0)), 0.0, 0.0, 0.0};
         std::vector<double> errors;
         for (int i = 1; i <= frames; ++i) {
-            draw(few_, path(i * kFrame), i * kFrame, false, 0.0625f);
+            draw(few_, path(i * kFrame), i * kFrame, false, kFewRays);
             if (i % every != 0) continue;
-            draw(all_, path(i * kFrame), i * kFrame, true, 1.0f);
-            errors.push_back(difference(few_.readHdr(), all_.readHdr()));
+            std::vector<double> const few = luminances(few_.readHdr()), all = picture(path(i * kFrame), i * kFrame);
+            errors.push_back(difference(few, all));
+            error.edgeWorst = std::max(error.edgeWorst, difference(few, all, edges(path(i * kFrame), i * kFrame)));
         }
         keep();
         std::sort(errors.begin(), errors.end());
-        return {atRest, errors[errors.size() / 2], errors.back()};
+        error.median = errors[errors.size() / 2];
+        error.worst = errors.back();
+        return error;
+    }
+
+    /// From one view to another that shares nothing with it; the errors of the frames after.
+    std::vector<double> cut(Eye const& from, Eye const& to, int frames) {
+        settle(from);
+        std::vector<double> const all = picture(to, 0.0);
+        std::vector<double> errors;
+        for (int i = 0; i < frames; ++i) {
+            draw(few_, to, 0.0, false, kFewRays);
+            errors.push_back(difference(luminances(few_.readHdr()), all));
+        }
+        return errors;
+    }
+
+    /// Standard deviation over the mean of each pixel, over frames of an eye at rest; the 99th percentile. `rate`: of the
+    /// weather's clock.
+    double flicker(Eye const& eye, int frames, double rate) {
+        settle(eye);
+        std::vector<double> sum(kPixels), square(kPixels);
+        for (int i = 1; i <= frames; ++i) {
+            draw(few_, eye, i * kFrame * rate, false, kFewRays);
+            std::vector<double> const now = luminances(few_.readHdr());
+            for (std::size_t k = 0; k < kPixels; ++k) sum[k] += now[k], square[k] += now[k] * now[k];
+        }
+        std::vector<double> shares(kPixels);
+        for (std::size_t k = 0; k < kPixels; ++k) {
+            double const mean = sum[k] / frames;
+            shares[k] = std::sqrt(std::max(square[k] / frames - mean * mean, 0.0)) / std::max(mean, 1e-9);
+        }
+        std::sort(shares.begin(), shares.end());
+        return shares[kPixels * 99 / 100];
     }
 
     /// Mean share of the picture that clouds cover.
     double cover(Eye const& eye) {
-        draw(all_, eye, 0.0, true, 1.0f);
+        draw(all_, eye, 0.0, true, kAllRays);
         assets::FloatImage const image = all_.readHdr();
         double sum = 0.0;
         for (std::size_t i = 3; i < image.values.size(); i += 4) sum += static_cast<double>(image.values[i]);
-        return sum / static_cast<double>(image.values.size() / 4);
+        return sum / static_cast<double>(kPixels);
     }
 
 private:
+    void settle(Eye const& eye) {
+        draw(few_, eye, 0.0, true, kFewRays);  // every chunk and cloud map there
+        for (int i = 0; i < 2 * kRound; ++i) draw(few_, eye, 0.0, false, kFewRays);
+    }
+
+    std::vector<double> picture(Eye const& eye, double seconds) {
+        draw(all_, eye, seconds, true, kAllRays);
+        return luminances(all_.readHdr());
+    }
+
+    /// Within two pixels of an edge of the land or of a model: what is solid looks otherwise without it.
+    std::vector<bool> edges(Eye const& eye, double seconds) {
+        if (!snapshot_.drawTerrain && !models_) return std::vector<bool>(kPixels);
+        snapshot_.drawClouds = false;
+        std::vector<double> const with = picture(eye, seconds);
+        bool const land = std::exchange(snapshot_.drawTerrain, false);
+        Models const models = std::exchange(models_, nullptr);
+        std::vector<double> const without = picture(eye, seconds);
+        snapshot_.drawClouds = true;
+        snapshot_.drawTerrain = land;
+        models_ = models;
+        std::vector<bool> solid(kPixels);
+        for (std::size_t i = 0; i < kPixels; ++i) solid[i] = std::abs(with[i] - without[i]) > 0.02 * without[i];
+        return nearEdges(solid);
+    }
+
     void draw(render::Renderer& renderer, Eye const& eye, double seconds, bool still, float rays) {
         snapshot_.still = still;
         snapshot_.clouds.rays = rays;
@@ -86,20 +190,8 @@ private:
         snapshot_.camera.worldFromCamera = glm::angleAxis(-eye.azimuth, glm::dvec3{0.0, 1.0, 0.0}) *
                                            glm::angleAxis(eye.elevation, glm::dvec3{1.0, 0.0, 0.0});
         snapshot_.weather = field_.at(eye.position.x, -eye.position.z, snapshot_.time);
+        snapshot_.models = models_ ? models_(seconds) : std::vector<render::ModelInstance>{};
         renderer.draw(snapshot_);
-    }
-
-    /// Mean difference of luminance over the mean luminance.
-    static double difference(assets::FloatImage const& few, assets::FloatImage const& all) {
-        double sum = 0.0, total = 0.0;
-        for (std::size_t i = 0; i < all.values.size(); i += 4) {
-            auto const light = [i](assets::FloatImage const& p) {
-                return static_cast<double>(sky::luminance({p.values[i], p.values[i + 1], p.values[i + 2]}));
-            };
-            sum += std::abs(light(few) - light(all));
-            total += light(all);
-        }
-        return sum / total;
     }
 
     void keep() {
@@ -113,29 +205,28 @@ private:
     weather::Field field_;
     core::UtcSeconds start_ = 0.0;
     render::Snapshot snapshot_;
+    Models models_;
     render::Renderer few_{{.size = kSize}}, all_{{.size = kSize}};
 };
 
-// Wanted: 3 % in the median frame, 8 % in the worst. Measured: turning 8.0 and 8.0 % (at rest 1.8), along the ridge 2.6 and
-// 2.8 % (1.6), through the cloud 1.9 and 2.8 % (1.2). Turning, a third of the picture has not been there for sixteen frames:
-// what no ray has met yet is guessed from the rays around it. Bounds: a quarter to a third above the measured.
+// Asked of a moving camera: 3 % in the median frame, 8 % in the worst, 10 % beside edges. Measured: see docs/performance.md.
+constexpr double kMedian = 0.03, kWorst = 0.08, kEdge = 0.10;
+
 class Reprojection : public test::GlTest {
 protected:
-    static void report(Error const& error) {
-        RecordProperty("median_percent", std::to_string(100.0 * error.median));
-        RecordProperty("worst_percent", std::to_string(100.0 * error.worst));
-        std::printf("luminance against every ray: at rest %.1f %%, moving: median %.1f %%, worst frame %.1f %%\n", 100.0 * error.atRest,
-                    100.0 * error.median, 100.0 * error.worst);
+    static void expectHolds(Error const& error) {
+        std::printf("luminance against every ray: at rest %.2f %%, moving: median %.2f %%, worst frame %.2f %%, beside edges %.2f %%\n",
+                    100.0 * error.atRest, 100.0 * error.median, 100.0 * error.worst, 100.0 * error.edgeWorst);
+        EXPECT_LT(error.atRest, 0.001);  // the same rays; half floats
+        EXPECT_LT(error.median, kMedian);
+        EXPECT_LT(error.worst, kWorst);
+        EXPECT_LT(error.edgeWorst, kEdge);
     }
 };
 
 TEST_F(Reprojection, HoldsWhileTheCameraTurnsByNinetyDegreesASecond) {
     Flight flight{"preset:fair", false};
-    Error const error = flight.fly(
-        [&](double t) { return Eye{{0.0, flight.ground() + 300.0, 0.0}, 1.9 + core::radians(90.0) * t, core::radians(15.0)}; }, 30, 5);
-    report(error);
-    EXPECT_LT(error.median, 0.10);
-    EXPECT_LT(error.worst, 0.10);
+    expectHolds(flight.fly([&](double t) { return Eye{{0.0, flight.ground() + 300.0, 0.0}, 1.9 + core::radians(90.0) * t, core::radians(15.0)}; }, 30, 10));
 }
 
 TEST_F(Reprojection, HoldsLowAlongARidge) {
@@ -145,11 +236,7 @@ TEST_F(Reprojection, HoldsLowAlongARidge) {
     auto const at = [&](double t) { return glm::dvec2{-14000.0 + kSpeed * t * std::sin(azimuth), -20000.0 + kSpeed * t * std::cos(azimuth)}; };
     double high = 0.0;
     for (double t = 0.0; t < 1.0; t += 0.1) high = std::max(high, land.height(at(t).x, at(t).y));
-    Error const error = flight.fly(
-        [&](double t) { return Eye{{at(t).x, high + 40.0, -at(t).y}, azimuth, core::radians(4.0)}; }, 30, 5);
-    report(error);
-    EXPECT_LT(error.median, 0.034);
-    EXPECT_LT(error.worst, 0.037);
+    expectHolds(flight.fly([&](double t) { return Eye{{at(t).x, high + 40.0, -at(t).y}, azimuth, core::radians(4.0)}; }, 30, 10));
 }
 
 TEST_F(Reprojection, HoldsThroughACloud) {
@@ -161,9 +248,43 @@ TEST_F(Reprojection, HoldsThroughACloud) {
     ASSERT_LT(inside, 12000.0) << "no cloud on the way";
     double edge = inside;
     while (flight.cover(eye(edge)) > 0.9 && edge > inside - 3000.0) edge -= 60.0;
-    Error const error = flight.fly([&](double t) { return eye(edge + kSpeed * t); }, 90, 9);
-    report(error);
-    EXPECT_LT(error.median, 0.026);
-    EXPECT_LT(error.worst, 0.038);
+    expectHolds(flight.fly([&](double t) { return eye(edge + kSpeed * t); }, 60, 12));
+}
+
+/// The aircraft rolls ahead of an eye that follows it, its propeller turns, clouds behind.
+TEST_F(Reprojection, HoldsBesideWingAndPropeller) {
+    Flight flight{"preset:fair", false};
+    double const altitude = flight.ground() + 600.0;
+    render::ModelId const plane = flight.plane();
+    auto const eye = [&](double t) { return Eye{{kSpeed * 0.6 * t, altitude, 0.0}, core::kPi / 2.0, core::radians(6.0)}; };
+    flight.carry([&](double t) {
+        render::ModelInstance instance;
+        instance.model = plane;
+        instance.positionWorld = eye(t).position + glm::dvec3{9.0, 1.0, 0.0};
+        instance.worldFromModel = glm::angleAxis(core::radians(60.0) * t, glm::dvec3{1.0, 0.0, 0.0});
+        instance.poses.push_back({.node = "propeller", .rotation = glm::angleAxis(static_cast<float>(250.0 * t), glm::vec3{1.0f, 0.0f, 0.0f})});
+        return std::vector{instance};
+    });
+    Error const error = flight.fly(eye, 30, 10);
+    expectHolds(error);
+    EXPECT_GT(error.edgeWorst, 0.0) << "there was no edge in the picture";
+}
+
+TEST_F(Reprojection, IsWholeSixteenFramesAfterACut) {
+    Flight flight{"preset:fair", false};
+    Eye const from{{0.0, flight.ground() + 300.0, 0.0}, 1.9, core::radians(15.0)}, to{{3000.0, flight.ground() + 900.0, 0.0}, 5.0, core::radians(10.0)};
+    std::vector<double> const errors = flight.cut(from, to, kRound);
+    std::printf("after a cut: frame 1 %.1f %%, 4 %.1f %%, 8 %.1f %%, 16 %.2f %%\n", 100.0 * errors[0], 100.0 * errors[3], 100.0 * errors[7], 100.0 * errors[15]);
+    EXPECT_LT(errors[15], 0.05);
+    EXPECT_LT(errors[15], errors[0]);
+}
+
+TEST_F(Reprojection, DoesNotFlickerAtRest) {
+    Flight flight{"preset:fair", false};
+    Eye const eye{{0.0, flight.ground() + 300.0, 0.0}, 1.9, core::radians(15.0)};
+    double const frozen = flight.flicker(eye, 2 * kRound, 0.0), flowing = flight.flicker(eye, 2 * kRound, 1.0);
+    std::printf("flicker, 99th percentile: %.3f %%, with the clouds drifting %.3f %%\n", 100.0 * frozen, 100.0 * flowing);
+    EXPECT_LT(frozen, 0.005);
+    EXPECT_GT(flowing, 0.0);  // it is measured where something changes
 }
 }  // namespace

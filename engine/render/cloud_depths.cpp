@@ -1,0 +1,66 @@
+#include "engine/render/cloud_depths.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/gl/draw.h"
+
+namespace luftpost::render {
+namespace {
+constexpr int kSide = 128;
+constexpr int kSlices = 64;  // of both grids: twice kDepthSlices of lib/cloud_scene.glsl
+constexpr std::array<double, 2> kWidths{24'000.0, 96'000.0};  // m
+constexpr int kBands = 16;             // frames in which all rows are drawn anew
+constexpr float kHeightStep = 100.0f;  // m: by so much lowest and highest slice move at a time
+constexpr unsigned kUnit = 16;
+
+/// Between which altitudes there are layers with a body, m, in whole steps; x above y when there are none.
+glm::vec2 heightsOf(glsl::CloudBlock const& block) {
+    glm::vec2 heights{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+    for (int i = 0; i < block.march.x; ++i) {
+        glsl::LayerShape const& shape = block.shapes[i];
+        if (shape.extent.z < 0.5f || shape.look.z > 0.5f) continue;
+        heights.x = std::min(heights.x, std::floor(shape.extent.x / kHeightStep) * kHeightStep);
+        heights.y = std::max(heights.y, std::ceil(shape.extent.y / kHeightStep) * kHeightStep);
+    }
+    return heights;
+}
+}  // namespace
+
+CloudDepths::CloudDepths(gl::ProgramLibrary& programs)
+    : program_{programs.compute("cloud_depths")},
+      grids_{gl::Format::r16f, {kSide, kSide, kSlices}, 1, "cloud depths"},
+      sampler_{{.wrap = gl::Wrap::repeat}, "cloud depths"} {}
+
+void CloudDepths::place(Snapshot const& snapshot, CloudScene& scene) {
+    glm::vec2 const heights = heightsOf(scene.block());
+    bool const any = heights.x < heights.y;
+    whole_ = whole_ || snapshot.still || scene.leapt() || (any && heights != heights_);
+    heights_ = heights;
+    glm::dvec2 const camera{snapshot.camera.positionWorld.x, snapshot.camera.positionWorld.z};
+    std::array<glm::vec4, 2> places{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        glm::dvec2 const modulo = camera - glm::floor(camera / kWidths[i]) * kWidths[i];
+        places[i] = glm::vec4{glm::dvec4{modulo, 1.0 / kWidths[i], kWidths[i]}};
+    }
+    scene.setDepthPlaces(places, {heights, 0.5f * (heights.x + heights.y), any ? 1.0f : 0.0f});
+}
+
+void CloudDepths::draw(CloudScene const& scene) {
+    if (scene.empty() || scene.block().depthHeights.w < 0.5f) return;
+    program_.use();
+    program_.set("firstRow", whole_ ? 0 : band_ * (kSide / kBands));
+    grids_.bindImage(0, gl::Access::write);
+    gl::dispatch({kSide / 8, (whole_ ? kSide : kSide / kBands) / 8, 2});
+    gl::barrier(gl::Barrier::textureFetch);
+    band_ = (band_ + 1) % kBands;
+    whole_ = false;
+}
+
+void CloudDepths::bind() const {
+    grids_.bind(kUnit);
+    sampler_.bind(kUnit);
+}
+}  // namespace luftpost::render
