@@ -56,6 +56,12 @@ void CloudPass::draw(FrameContext const& context) {
     exposureBefore_ = context.frame.exposure.x;
 }
 
+CloudPass::Distance CloudPass::distance() const {
+    if (scene_.empty() || !screen_) return {};
+    if (screen_->whole) return {&screen_->marchedDistance, false};
+    return {&screen_->facts[static_cast<std::size_t>(newest_)], true};
+}
+
 void CloudPass::march(FrameContext const& context) {
     marchProgram_.use();
     context.targets.depth.bind(0);

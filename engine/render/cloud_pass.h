@@ -24,6 +24,11 @@ public:
     /// March, resolve, composite into the colour target; its alpha becomes the transmittance of the clouds.
     void draw(FrameContext const& context);
 
+    /// How far the clouds of the picture are: m, or 1 / m where `inverted`. Null before the first draw and without clouds.
+    struct Distance { gl::Texture2D const* texture = nullptr; bool inverted = false; };
+    Distance distance() const;
+    CloudScene const& scene() const { return scene_; }
+
     /// GPU bytes of noise volumes and cloud map, screen-sized buffers apart.
     std::size_t bytes() const { return scene_.bytes(); }
 
