@@ -16,7 +16,7 @@ namespace luftpost::render {
 namespace {
 constexpr double kReach = 40'000.0;        // m: as the layers' fields
 constexpr double kFlashReach = 60'000.0;   // m
-constexpr double kDroplet = 9e-6;          // m, effective radius where glories are seen
+constexpr double kDroplet = 8e-6;          // m, effective radius where glories are seen
 /// Radiant intensity of a strong flash: 4e8 W of light at its peak into all directions (Turman 1977 found 1e9 W for the strongest
 /// tenth), against the sun's 1361 W/m2 of which half is light.
 constexpr double kFlashIntensity = 4e8 / (4.0 * core::kPi) / (0.5 * 1361.0);

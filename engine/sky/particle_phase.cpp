@@ -139,10 +139,10 @@ Mie mieOf(double x, double m, std::vector<double> const& cosines) {
     return mie;
 }
 
-/// Share of droplets of r radii against the effective one: a gamma distribution of effective variance 0.04 (Hansen 1971), narrow as in
+/// Share of droplets of r radii against the effective one: a gamma distribution of effective variance 0.02 (Hansen 1971 gives 0.02 to 0.2), narrow as in
 /// fresh cloud, by which the rings are seen.
 double dropletCount(double r) {
-    constexpr double kVariance = 0.04;
+    constexpr double kVariance = 0.02;
     return std::pow(r, 1.0 / kVariance - 3.0) * std::exp(-r / kVariance);
 }
 
@@ -259,7 +259,7 @@ PhaseTable dropletPhase(double effectiveRadius) {
         std::vector<double> sum(cosines.size(), 0.0);
         double scattering = 0.0;
         for (int size = 0; size < kSizes; ++size) {
-            double const r = 0.45 + 1.2 * size / (kSizes - 1.0), count = dropletCount(r);
+            double const r = 0.55 + 0.95 * size / (kSizes - 1.0), count = dropletCount(r);
             Mie const mie = mieOf(wave * effectiveRadius * r, waterIndex(wavelength_nm(i)), cosines);
             scattering += count * mie.scattering;
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += count * mie.intensity[k];

@@ -41,7 +41,7 @@ struct Storm {
 
     /// The flash of a cell and slot, if it has one. `cell`: in the frame that drifts with the layer.
     bool flash(Dice dice, glm::ivec2 const& cell, long long slot, Flash& flash) const {
-        double const chance = 0.35 + 0.45 * smooth(300.0, 2500.0, weather.cape);
+        double const chance = 0.06 + 0.10 * smooth(300.0, 2500.0, weather.cape);
         if (dice.next() > chance) return false;
         glm::dvec2 const place = (glm::dvec2{cell} + glm::dvec2{dice.next(), dice.next()}) * kCell;
         double const rank = static_cast<double>(pattern.drifting(place.x, place.y));
@@ -97,5 +97,16 @@ double thunderDelay(Flash const& flash, glm::dvec3 const& earWorld) {
     glm::dvec3 const way = flash.groundWorld - flash.sourceWorld;
     double const along = flash.toGround ? std::clamp(glm::dot(earWorld - flash.sourceWorld, way) / std::max(glm::dot(way, way), 1e-6), 0.0, 1.0) : 0.0;
     return glm::distance(earWorld, flash.sourceWorld + along * way) / kSoundSpeed;
+}
+
+std::vector<Flash> thunders(Weather const& weather, unsigned seed, core::UtcSeconds from, core::UtcSeconds to, glm::dvec3 const& earWorld, double ground) {
+    constexpr double kAudible = 20'000.0;      // m
+    constexpr double kLatest = 1.5 * kAudible / kSoundSpeed;  // s: clouds are higher than far
+    std::vector<Flash> heard = flashes(weather, seed, from - kLatest, to, {earWorld.x, -earWorld.z}, kAudible, ground);
+    std::erase_if(heard, [&](Flash const& flash) {
+        double const arrives = flash.time + thunderDelay(flash, earWorld);
+        return arrives <= from || arrives > to;
+    });
+    return heard;
 }
 }  // namespace luftpost::weather

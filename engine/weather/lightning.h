@@ -30,4 +30,7 @@ double flashLight(Flash const& flash, double after);
 
 /// When a flash is heard from a place, s after its light: from the nearer of cloud and channel.
 double thunderDelay(Flash const& flash, glm::dvec3 const& earWorld);
+
+/// The flashes within 20 km whose thunder reaches an ear after `from` and until `to`.
+std::vector<Flash> thunders(Weather const& weather, unsigned seed, core::UtcSeconds from, core::UtcSeconds to, glm::dvec3 const& earWorld, double ground);
 }  // namespace luftpost::weather
