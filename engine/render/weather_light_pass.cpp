@@ -64,15 +64,23 @@ glm::vec4 relative(glm::dvec3 const& world, Snapshot const& snapshot, double w) 
 std::array<glsl::LayerFall, weather::kMaxLayers> layerFalls(Snapshot const& snapshot, weather::Weather const& sky) {
     std::array<glsl::LayerFall, weather::kMaxLayers> falls{};
     glm::dvec3 const& camera = snapshot.camera.positionWorld;
-    for (glm::dvec2 const offset : {glm::dvec2{0.0}, glm::dvec2{kReach, 0.0}, glm::dvec2{-kReach, 0.0}, glm::dvec2{0.0, kReach}, glm::dvec2{0.0, -kReach}}) {
-        if (snapshot.field == nullptr && offset != glm::dvec2{0.0}) break;
+    // A plane through the places around: camera, east, west, north, south.
+    std::array<glm::dvec2, 5> const offsets{glm::dvec2{0.0}, {kReach, 0.0}, {-kReach, 0.0}, {0.0, kReach}, {0.0, -kReach}};
+    std::array<std::array<float, 5>, weather::kMaxLayers> roots{};
+    for (std::size_t place = 0; place < (snapshot.field != nullptr ? offsets.size() : 1); ++place) {
         weather::Weather const there =
-            offset == glm::dvec2{0.0} ? snapshot.weather : snapshot.field->at(camera.x + offset.x, -camera.z + offset.y, snapshot.time);
+            place == 0 ? snapshot.weather : snapshot.field->at(camera.x + offsets[place].x, -camera.z + offsets[place].y, snapshot.time);
         auto const showers = showersIn(there, snapshot.clouds);
         for (std::size_t i = 0; i < static_cast<std::size_t>(there.layerCount); ++i)
-            for (std::size_t k = 0; k < static_cast<std::size_t>(sky.layerCount); ++k)
-                if (sky.layers[k].pattern == there.layers[i].pattern && static_cast<double>(falls[k].shower.x) < showers[i].root)
-                    falls[k] = fallOf(showers[i], snapshot.clouds);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(sky.layerCount); ++k) {
+                if (sky.layers[k].pattern != there.layers[i].pattern) continue;
+                roots[k][place] = static_cast<float>(showers[i].root);
+                if (falls[k].shower.x < roots[k][place]) falls[k] = fallOf(showers[i], snapshot.clouds);
+            }
+    }
+    for (std::size_t k = 0; k < falls.size(); ++k) {
+        float const perMetre = static_cast<float>(0.5 / kReach);
+        falls[k].root = {roots[k][0], (roots[k][1] - roots[k][2]) * perMetre, (roots[k][4] - roots[k][3]) * perMetre, 0.0f};
     }
     return falls;
 }

@@ -117,6 +117,8 @@ double rootFor(Genus genus, double cover, double rate, double loss) {
     return std::clamp(root, loss, most);
 }
 
+constexpr double kEnough = 0.004;  // cover of rain clouds from which on the others do not rain
+constexpr double kMostLost = 1.5;  // of the root that reaches the ground
 constexpr double kRainSpeed = 6.0, kSnowSpeed = 1.5;  // m/s
 
 glm::dvec2 lagOf(Weather const& weather, Layer const& layer, double ground) {
@@ -130,19 +132,29 @@ glm::dvec2 lagOf(Weather const& weather, Layer const& layer, double ground) {
 std::array<Shower, kMaxLayers> showersOf(Weather const& weather, std::array<double, kMaxLayers> const& visible) {
     std::array<Shower, kMaxLayers> showers{};
     if (weather.precipitation == Precipitation::None || !(weather.precipitationRate > 0.0)) return showers;
+    auto const count = static_cast<std::size_t>(weather.layerCount);
+    // Where there is a cloud that rains it is that one, not the cumulus beside it.
+    double willing = 0.0;
+    for (std::size_t i = 0; i < count; ++i) willing += showerShare(weather.layers[i].genus) >= 1.0 ? visible[i] : 0.0;
+    double const others = 1.0 - smooth(0.0, kEnough, willing);
+    auto const weight = [&](std::size_t i) {
+        double const share = showerShare(weather.layers[i].genus);
+        return share * (share < 1.0 ? others : 1.0) * showerInside(weather.layers[i].genus, 1.0, visible[i]).mean;
+    };
     double sum = 0.0;
-    auto const weight = [&](std::size_t i) { return showerShare(weather.layers[i].genus) * showerInside(weather.layers[i].genus, 1.0, visible[i]).mean; };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i) sum += weight(i);
+    for (std::size_t i = 0; i < count; ++i) sum += weight(i);
     double const ground = weather.condensationLevel - condensationHeight(weather.temperature, weather.dewPoint);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         Layer const& layer = weather.layers[i];
         if (!(weight(i) > 0.0)) continue;
         Shower& shower = showers[i];
         shower.storm = isStorm(layer.genus);
         shower.from = std::min(weather.condensationLevel, static_cast<double>(layer.base));
-        shower.drying = dryingOf(weather.temperature);
-        double const dry = std::max(shower.from - ground, 0.0);
-        shower.root = rootFor(layer.genus, visible[i], weather.precipitationRate * weight(i) / sum, shower.drying * dry * dry);
+        double const rate = weather.precipitationRate * weight(i) / sum, dry = std::max(shower.from - ground, 1.0);
+        // Air through which next to nothing falls and yet reaches the ground is not that dry.
+        double const most = kMostLost * std::sqrt(rate / showerInside(layer.genus, 1.0, visible[i]).mean);
+        shower.drying = std::min(dryingOf(weather.temperature), most / (dry * dry));
+        shower.root = rootFor(layer.genus, visible[i], rate, shower.drying * dry * dry);
         shower.lag = lagOf(weather, layer, ground);
     }
     return showers;

@@ -18,19 +18,25 @@ GLSL_FUNCTION float fallSmooth(float low, float high, float x) {
 /// Share of a storm's cover (as seen, 0..1) whose rank lies under its towers.
 GLSL_FUNCTION float stormTowers(float cover) { return cover * (0.5f + 0.35f * cover); }
 
-/// How deep inside a precipitating layer a rank lies, 0..1. `cover`: as seen; `storm`: 1 for a cumulonimbus.
-GLSL_FUNCTION float showerDepth(float rank, float cover, float storm) {
+/// How deep inside a precipitating layer a rank lies, 0..1. `cover`: as seen; `storm`: 1 for a cumulonimbus; `blur`: of the rank, over
+/// which the outline is softened, for what is seen with long steps.
+GLSL_FUNCTION float showerDepth(float rank, float cover, float storm, float blur) {
     if (cover <= 0.0f) return 0.0f;
     float threshold = storm > 0.5f ? stormTowers(cover) : cover + 0.25f * fallSmooth(0.8f, 1.0f, cover);
     float edge = max(storm > 0.5f ? threshold : min(0.25f, cover), 0.01f);
-    return fallSmooth(0.0f, edge, threshold - rank);
+    return fallSmooth(-0.5f * blur, edge + 0.5f * blur, threshold - rank);
 }
 
-/// mm/h at `altitude` (m above sea level) below a point of depth `inside` of the shower: 0 where all has evaporated.
-GLSL_FUNCTION float rateBelow(LayerFall fall, float inside, float altitude) {
+/// Root of the rate, (mm/h)^1/2, of the heaviest showers at a place, m east and south of the camera.
+GLSL_FUNCTION float showerRoot(LayerFall fall, vec2 place) {
+    return clamp(fall.root.x + fall.root.y * place.x + fall.root.z * place.y, 0.0f, fall.shower.x);
+}
+
+/// mm/h at `altitude` (m above sea level) below a point of depth `inside` of a shower of that root: 0 where all has evaporated.
+GLSL_FUNCTION float rateBelow(LayerFall fall, float root, float inside, float altitude) {
     float dry = max(fall.shower.z - altitude, 0.0f);
-    float root = fall.shower.x * sqrt(inside) - fall.shower.y * dry * dry;
-    return inside > 0.0f && root > 0.0f ? root * root : 0.0f;
+    float left = root * sqrt(inside) - fall.shower.y * dry * dry;
+    return inside > 0.0f && left > 0.0f ? left * left : 0.0f;
 }
 
 /// m, east and south: where in the cloud stands what falls past a point `below` m under the base. Drops that leave their cloud's

@@ -24,8 +24,8 @@ vec3 keyAt(KeyLight key, float altitude) {
     return key.above * lightThroughAir(skyTransmittanceTable, vec2(textureSize(skyTransmittanceTable, 0)), altitude, key.toward.y, key.radius);
 }
 
-/// mm/h of rain and of snow at a place.
-vec2 fallingAt(vec3 p) {
+/// mm/h of rain and of snow at a place, about in the mean over `length` m.
+vec2 fallingAt(vec3 p, float length) {
     float rate = 0.0;
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         LayerFall fall = falling.falls[layer];
@@ -34,8 +34,9 @@ vec2 fallingAt(vec3 p) {
         float base = columnAt(layer, p.xz, coarse).base;
         if (p.y > base + 400.0) continue;
         LayerColumn source = columnAt(layer, p.xz + fallLag(fall, base - p.y), coarse);
+        float blur = min(0.5 * length / clouds.shapes[layer].body.x, 0.3);
         float cover = clamp(source.cover - clouds.shapes[layer].body.y, 0.0, 1.0);
-        rate += rateBelow(fall, showerDepth(source.rank, cover, fall.shower.w), p.y) * (1.0 - fallSmooth(base, base + 400.0, p.y));
+        rate += rateBelow(fall, showerRoot(fall, p.xz), showerDepth(source.rank, cover, fall.shower.w, blur), p.y) * (1.0 - fallSmooth(base, base + 400.0, p.y));
     }
     float liquid = liquidShare(falling.fallAll, p.y);
     return rate * vec2(liquid, 1.0 - liquid);
@@ -64,7 +65,7 @@ vec3 behindFalling(vec3 radiance, LightRay ray, KeyLight key) {
     float cosine = dot(ray.direction, key.toward);
     vec3 beam = keyAt(key, falling.fallAll.melting.z + 800.0);
     vec3 bow = bowExcess(phaseTable, phaseSize(), cosine);
-    vec3 veil = tabledPhase(phaseTable, phaseSize(), cosine, kRainRow);
+    vec3 veil = max(tabledPhase(phaseTable, phaseSize(), cosine, kRainRow) - bow, vec3(0.0));
     vec3 around = 0.5 * (frame.skyIrradiance.rgb + frame.groundIrradiance.rgb) / 3.14159265;
     float everywhere = falling.fallAll.melting.w;
     float through = 1.0;     // of what veils
@@ -81,7 +82,7 @@ vec3 behindFalling(vec3 radiance, LightRay ray, KeyLight key) {
         float t = before + place * length;
         before = after;
         vec3 p = placeAt(ray.direction, t, h);
-        vec2 fall = fallingAt(p);
+        vec2 fall = fallingAt(p, length);
         float rate = fall.x + fall.y;
         if (rate <= 1e-3) continue;
         float seen = t < ray.cloud ? 1.0 : ray.through;

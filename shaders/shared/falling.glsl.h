@@ -8,9 +8,10 @@ GLSL_BEGIN
 
 // What falls from one layer.
 struct LayerFall {
-    vec4 shower;  // x: root of the rate where the shower is heaviest, (mm/h)^1/2, 0: none; y: what a drop loses of it, (mm/h)^1/2 per
+    vec4 shower;  // x: root of the rate where its heaviest shower is heaviest, (mm/h)^1/2, 0: none; y: what a drop loses of it, (mm/h)^1/2 per
                   // m2 of squared depth; z: m above sea level, from where on down it loses; w: 1 for a cumulonimbus
     vec4 lag;     // xy: 1/m, east and south: of fallLag
+    vec4 root;    // x: that root at the camera; yz: its slope, per m east and south: it rains more on one side
 };
 
 struct FallAll {

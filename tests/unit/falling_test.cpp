@@ -68,6 +68,20 @@ TEST(Virga, LeavesTheReportsRateToTheGroundInTheMean) {
         }
 }
 
+TEST(Shaft, FallsFromTheStormAndNotFromTheCumulusBesideIt) {
+    Weather weather = dryShowers(1.0);
+    weather.layers[1] = weather.layers[0];
+    weather.layers[1].genus = Genus::Cu;
+    weather.layerCount = 2;
+    auto const both = showersOf(weather, {0.3, 0.3});
+    EXPECT_TRUE(both[0].falls());
+    EXPECT_FALSE(both[1].falls());
+    EXPECT_TRUE(showersOf(weather, {0.0, 0.3})[1].falls());
+    // As the report's rate goes to nothing, so does what falls aloft.
+    weather.precipitationRate = 1e-6;
+    EXPECT_LT(showersOf(weather, {0.3, 0.3})[0].root, 0.02);
+}
+
 TEST(Shaft, LagsBehindTheCloudThatItsDropsFellFrom) {
     Shower const shower = showersOf(dryShowers(1.0), {0.3})[0];
     EXPECT_EQ(shower.source(2500.0, 2600.0), (glm::dvec2{0.0}));
@@ -86,11 +100,11 @@ TEST(Shaft, IsWhereTheAirsRainIs) {
     weather::Weather const& weather = sky.clouds.weather;
     for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i) {
         Shower const& shower = sky.clouds.showers[i];
-        ASSERT_TRUE(shower.falls());
         falls.push_back({{static_cast<float>(shower.root), static_cast<float>(shower.drying), static_cast<float>(shower.from), shower.storm ? 1.0f : 0.0f},
-                         {static_cast<float>(shower.lag.x), static_cast<float>(-shower.lag.y), 0.0f, 0.0f}});
+                         {static_cast<float>(shower.lag.x), static_cast<float>(-shower.lag.y), 0.0f, 0.0f}, glm::vec4{0.0f}});
         patterns.emplace_back(weather.layers[i], 1);
     }
+    ASSERT_TRUE(sky.clouds.showers[0].falls() && weather.layers[0].genus == Genus::Cb);
     double worst = 0.0, mean = 0.0;
     int wet = 0;
     for (int i = 0; i < 1200; ++i) {
@@ -101,7 +115,7 @@ TEST(Shaft, IsWhereTheAirsRainIs) {
         for (std::size_t k = 0; k < falls.size(); ++k) {
             glm::vec2 const lag = glsl::fallLag(falls[k], weather.layers[k].base - altitude);
             float const rank = patterns[k].rank(east + static_cast<double>(lag.x), north - static_cast<double>(lag.y));
-            seen += glsl::rateBelow(falls[k], glsl::showerDepth(rank, weather.layers[k].cover, falls[k].shower.w), altitude);
+            seen += glsl::rateBelow(falls[k], falls[k].shower.x, glsl::showerDepth(rank, weather.layers[k].cover, falls[k].shower.w, 0.0f), altitude);
         }
         double const felt = air.rain + air.snow + air.hail;
         worst = std::max(worst, std::abs(static_cast<double>(seen) - felt));
@@ -128,7 +142,7 @@ TEST(Shaft, TheTwinSplitsAndDimsAsTheAirDoes) {
     for (double cover = 0.05; cover <= 1.0; cover += 0.05)
         for (double rank = 0.0; rank <= 1.0; rank += 0.04)
             for (Genus genus : {Genus::Cb, Genus::Ns})
-                EXPECT_NEAR(static_cast<double>(glsl::showerDepth(static_cast<float>(rank), static_cast<float>(cover), genus == Genus::Cb ? 1.0f : 0.0f)),
+                EXPECT_NEAR(static_cast<double>(glsl::showerDepth(static_cast<float>(rank), static_cast<float>(cover), genus == Genus::Cb ? 1.0f : 0.0f, 0.0f)),
                             showerInside(genus, rank, cover).here, 1e-4);
 }
 }  // namespace
