@@ -16,10 +16,12 @@ namespace luftpost::render {
 namespace {
 constexpr double kReach = 40'000.0;        // m: as the layers' fields
 constexpr double kFlashReach = 60'000.0;   // m
+constexpr int kFlightBlock = 4;               // pixels each way for which one ray of shafts stands in flight
+constexpr int kStillSamples = 80, kFlightSamples = 40;  // along a ray
 constexpr double kDroplet = 8e-6;          // m, effective radius where glories are seen
-/// Radiant intensity of a strong flash: 4e8 W of light at its peak into all directions (Turman 1977 found 1e9 W for the strongest
-/// tenth), against the sun's 1361 W/m2 of which half is light.
-constexpr double kFlashIntensity = 4e8 / (4.0 * core::kPi) / (0.5 * 1361.0);
+/// Radiant intensity of a strong stroke: some 4e5 J of light (Turman 1977 saw 1e5 to 1e7 from space) which a frame of a sixtieth of a second
+/// gathers, into all directions, against the sun's 1361 W/m2 of which half is light.
+constexpr double kFlashIntensity = 4e5 * 60.0 / (4.0 * core::kPi) / (0.5 * 1361.0);
 
 gl::Texture2D phaseTexture() {
     gl::Texture2D texture{gl::Format::rgba32f, {sky::kPhaseAngles, 3}, 1, "phase functions"};
@@ -105,7 +107,7 @@ std::vector<glsl::Stroke> strokesNow(Snapshot const& snapshot) {
 }
 
 WeatherLightPass::WeatherLightPass(gl::ProgramLibrary& programs)
-    : program_{programs.compute("weather_light")}, phases_{phaseTexture()}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
+    : program_{programs.compute("weather_light")}, fallingProgram_{programs.compute("falling")}, phases_{phaseTexture()}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
 
 void WeatherLightPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     block_ = {};
@@ -129,17 +131,53 @@ void WeatherLightPass::describe(Snapshot const& snapshot, glsl::FrameBlock& fram
     }
 }
 
+WeatherLightPass::Shafts::Shafts(glm::ivec2 const& pixels, int size)
+    : picture{pixels},
+      block{size},
+      light{gl::Format::rgba16f, (pixels + size - 1) / size, 1, "shafts"},
+      lit{gl::Format::rgba16f, (pixels + size - 1) / size, 1, "lit rain"} {}
+
+/// Whether there is anything to draw: what falls or flashes, ice for a halo, cloud under the camera for a glory.
+bool WeatherLightPass::adds(FrameContext const& context, CloudScene const& scene) const {
+    if (block_.optics.x > 0.5f || block_.optics.z > 0.5f) return true;
+    for (int i = 0; i < scene.block().march.x; ++i) {
+        glsl::LayerShape const& shape = scene.block().shapes[i];
+        if (shape.look.z > 0.5f || static_cast<double>(shape.extent.x) < context.snapshot.camera.positionWorld.y) return true;
+    }
+    return false;
+}
+
+void WeatherLightPass::drawShafts(FrameContext const& context, bool inverted) {
+    bool const every = context.snapshot.still;
+    int const block = every ? 1 : kFlightBlock;
+    if (!shafts_ || shafts_->picture != context.targets.size || shafts_->block != block) shafts_.emplace(context.targets.size, block);
+    fallingProgram_.use();
+    fallingProgram_.set("block", block);
+    fallingProgram_.set("samples", every ? kStillSamples : kFlightSamples);
+    fallingProgram_.set("inverted", inverted ? 1 : 0);
+    context.targets.colour.bind(2);
+    shafts_->light.bindImage(0, gl::Access::write);
+    shafts_->lit.bindImage(1, gl::Access::write);
+    gl::dispatchOver(shafts_->light.size(), {8, 8});
+    gl::barrier(gl::Barrier::textureFetch);
+    shafts_->light.bind(3);
+    shafts_->lit.bind(4);
+}
+
 void WeatherLightPass::draw(FrameContext const& context, CloudPass const& clouds) {
     CloudPass::Distance const distance = clouds.distance();
-    if (distance.texture == nullptr) return;
+    if (distance.texture == nullptr || !adds(context, clouds.scene())) return;
     buffer_.update(gl::bytesOf(block_));
     buffer_.bindUniform(static_cast<unsigned>(glsl::kFallBlockBinding));
     clouds.scene().bind();
-    program_.use();
-    program_.set("inverted", distance.inverted ? 1 : 0);
     context.targets.depth.bind(0);
     distance.texture->bind(1);
     phases_.bind(static_cast<unsigned>(glsl::kPhaseUnit));
+    bool const falling = block_.optics.x > 0.5f;
+    if (falling) drawShafts(context, distance.inverted);
+    program_.use();
+    program_.set("block", falling ? shafts_->block : 1);
+    program_.set("inverted", distance.inverted ? 1 : 0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(context.targets.size, {8, 8});
     gl::barrier(gl::Barrier::all);

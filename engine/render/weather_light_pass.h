@@ -1,6 +1,8 @@
 // What the weather adds to the light of the picture: shafts of rain and snow, rainbow, cloud bow, glory, halo, sun dogs, lightning.
 #pragma once
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/program_library.h"
@@ -27,7 +29,19 @@ public:
     void draw(FrameContext const& context, CloudPass const& clouds);
 
 private:
+    /// Shafts, marched for every pixel of a still and for every 16th in flight.
+    struct Shafts {
+        Shafts(glm::ivec2 const& picture, int block);
+        glm::ivec2 picture;
+        int block;
+        gl::Texture2D light, lit;
+    };
+    bool adds(FrameContext const& context, CloudScene const& scene) const;
+    void drawShafts(FrameContext const& context, bool inverted);
+
     gl::Program const& program_;
+    gl::Program const& fallingProgram_;
+    std::optional<Shafts> shafts_;
     gl::Texture2D phases_;
     gl::Buffer buffer_;
     glsl::FallBlock block_{};

@@ -52,7 +52,7 @@ GLSL_FUNCTION float angleToStretch(vec3 direction, vec3 a, vec3 b, OUT(float) re
 
 /// Irradiance at `away` m from a light of an intensity inside scattering cloud: softened near it, and lost in what lies farther.
 GLSL_FUNCTION float strokeIrradiance(float intensity, float away) {
-    return intensity / (away * away + 250.0f * 250.0f) * exp(-away / 6000.0f);
+    return intensity / (away * away + 600.0f * 600.0f) * exp(-away / 1800.0f);
 }
 
 GLSL_END

@@ -54,29 +54,32 @@ vec2 fallingStretch(LightRay ray) {
     return vec2(max(stretch.x, 0.0), min(stretch.y, min(ray.land, max(stretch.x, 0.0) + kFarthest)));
 }
 
-/// The picture behind what falls, and its own light before it. The report's own rate is in the air's visibility already: what is more
-/// than that veils; the bows are of all of it.
-vec3 behindFalling(vec3 radiance, LightRay ray, KeyLight key) {
-    const int kSamples = 80;
-    if (falling.optics.x < 0.5) return radiance;
+/// What falls along a ray. Light is as much of the beam or of the light around as is scattered toward the eye, air left out.
+struct Fallen {
+    vec3 light;      // radiance, the bows apart
+    float through;   // transmittance
+    vec3 lit;        // sunlight that all the rain of the ray meets: times bowExcess it is the bows' radiance
+    float distance;  // m, mean of what veils
+};
+
+/// The report's own rate is in the air's visibility already: what is more than that veils; the bows are of all of it. `samples` along the ray.
+Fallen alongFalling(LightRay ray, KeyLight key, int samples) {
+    Fallen sum = Fallen(vec3(0.0), 1.0, vec3(0.0), 1.0e4);
     vec2 stretch = fallingStretch(ray);
-    if (stretch.y <= stretch.x) return radiance;
+    if (stretch.y <= stretch.x) return sum;
     float h = frame.cameraWorld.y;
     float cosine = dot(ray.direction, key.toward);
     vec3 beam = keyAt(key, falling.fallAll.melting.z + 800.0);
-    vec3 bow = bowExcess(phaseTable, phaseSize(), cosine);
-    vec3 veil = max(tabledPhase(phaseTable, phaseSize(), cosine, kRainRow) - bow, vec3(0.0));
+    vec3 veil = max(tabledPhase(phaseTable, phaseSize(), cosine, kRainRow) - bowExcess(phaseTable, phaseSize(), cosine), vec3(0.0));
     vec3 around = 0.5 * (frame.skyIrradiance.rgb + frame.groundIrradiance.rgb) / 3.14159265;
     float everywhere = falling.fallAll.melting.w;
-    float through = 1.0;     // of what veils
-    float bowThrough = 1.0;  // of all that falls
+    float bowThrough = 1.0;
     float weights = 0.0;
     float middle = 0.0;
-    vec3 light = vec3(0.0);
     float before = stretch.x;
     float place = fract(52.9829189 * fract(0.06711056 * ray.pixel.x + 0.00583715 * ray.pixel.y));  // of a sample in its step
-    for (int i = 0; i < kSamples && through > 0.01; ++i) {
-        float share = (float(i) + 1.0) / float(kSamples);
+    for (int i = 0; i < samples && sum.through > 0.01; ++i) {
+        float share = (float(i) + 1.0) / float(samples);
         float after = stretch.x + (stretch.y - stretch.x) * share * sqrt(share);
         float length = after - before;
         float t = before + place * length;
@@ -88,20 +91,26 @@ vec3 behindFalling(vec3 radiance, LightRay ray, KeyLight key) {
         float seen = t < ray.cloud ? 1.0 : ray.through;
         float rain = fallingExtinction(fall.x, 0.0);
         float all = rain + fallingExtinction(0.0, fall.y);
-        float share_ = min(everywhere / rate, 1.0);
-        float extra = max(all - fallingExtinction(fall.x * share_, fall.y * share_), 0.0);
+        vec2 usual = fall * min(everywhere / rate, 1.0);
+        float extra = max(all - fallingExtinction(usual.x, usual.y), 0.0);
         float open = cloudShadow(p);
-        vec3 lit = beam * open;
         float taken = seen * (1.0 - exp(-extra * length));
-        light += through * taken * (lit * veil + around * (0.35 + 0.65 * open));
-        light += seen * bowThrough * (1.0 - exp(-rain * length)) * lit * bow;
-        weights += through * taken;
-        middle += through * taken * t;
-        through *= 1.0 - taken;
+        sum.light += sum.through * taken * (beam * open * veil + around * (0.35 + 0.65 * open));
+        sum.lit += seen * bowThrough * (1.0 - exp(-rain * length)) * open * beam;
+        weights += sum.through * taken;
+        middle += sum.through * taken * t;
+        sum.through *= 1.0 - taken;
         bowThrough *= exp(-all * length);
     }
-    AirLight air = airBefore(ray.direction, weights > 1e-5 ? middle / weights : 0.5 * (stretch.x + stretch.y));
-    return radiance * through + light * air.transmittance + air.radiance * (1.0 - through);
+    sum.distance = weights > 1e-5 ? middle / weights : 0.5 * (stretch.x + stretch.y);
+    return sum;
+}
+
+/// The picture behind what falls, and its own light before it.
+vec3 behindFalling(vec3 radiance, Fallen fallen, LightRay ray, KeyLight key) {
+    AirLight air = airBefore(ray.direction, fallen.distance);
+    vec3 bow = fallen.lit * bowExcess(phaseTable, phaseSize(), dot(ray.direction, key.toward));
+    return radiance * fallen.through + (fallen.light + bow) * air.transmittance + air.radiance * (1.0 - fallen.through);
 }
 
 /// Cloud bow and glory where sunlit droplets are looked at from the sun's side.
@@ -152,7 +161,6 @@ vec3 haloLight(LightRay ray, KeyLight key) {
 /// Lightning: the cloud around it, and its channel.
 vec3 strokeLight(LightRay ray) {
     const vec3 kColour = vec3(0.92, 0.96, 1.12);
-    const float kBright = 1.5e-4;  // 1/m2: radiance of a channel per intensity, a pixel wide at least
     vec3 sum = vec3(0.0);
     float h = frame.cameraWorld.y;
     vec3 place = placeAt(ray.direction, min(ray.cloud, 3.0e5), h);
@@ -181,10 +189,11 @@ vec3 strokeLight(LightRay ray) {
         }
         if (reach > ray.land) continue;
         float seen = reach < ray.cloud ? 1.0 : ray.through;
-        float width = max(0.6 * frame.projection.w, 1.5 / max(reach, 1.0));
-        float core = exp(-least * least / (width * width));
-        float glow = 0.02 * exp(-least * max(reach, 1.0) / 60.0);
-        sum += seen * kBright * stroke.source.w * (core + glow) * kColour * airBefore(ray.direction, reach).transmittance;
+        // What the whole channel sends comes from a band a pixel wide at least, and a little of it from the haze around.
+        float width = max(0.6 * frame.projection.w * reach, 1.5);
+        float away = least * reach;
+        float share = exp(-away * away / (width * width)) / (1.77 * width) + 0.03 * exp(-away / 25.0) / 50.0;
+        sum += seen * stroke.source.w * share / distance(from, to) * kColour * airBefore(ray.direction, reach).transmittance;
     }
     return sum;
 }

@@ -7,7 +7,42 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba16f) uniform image2D colourTarget;
 layout(binding = 0) uniform sampler2D depthTarget;
 layout(binding = 1) uniform sampler2D cloudDistance;
+layout(binding = 3) uniform sampler2D fallenLight;  // of falling.comp, one texel for `block` x `block` pixels
+layout(binding = 4) uniform sampler2D fallenLit;
+uniform int block;
 uniform int inverted;  // 1: the distance texture holds 1 / m
+
+float cloudAway(ivec2 pixel) {
+    float v = texelFetch(cloudDistance, pixel, 0).r;
+    return inverted == 1 ? 1.0 / max(v, 1e-6) : v;
+}
+float landAway(ivec2 pixel) { return distanceOfDepth(texelFetch(depthTarget, pixel, 0).r, vec2(pixel) + 0.5); }
+
+/// The texels around a pixel, those the more that see land and cloud as far away as it does.
+Fallen fallenAt(ivec2 pixel, LightRay ray) {
+    ivec2 size = textureSize(fallenLight, 0);
+    vec2 at = (vec2(pixel) - 0.5 * float(block - 1)) / float(block);
+    ivec2 corner = ivec2(floor(at));
+    vec2 share = at - vec2(corner);
+    vec4 light = vec4(0.0);
+    vec4 lit = vec4(0.0);
+    float weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 side = ivec2(i & 1, i >> 1);
+        ivec2 texel = clamp(corner + side, ivec2(0), size - 1);
+        ivec2 centre = min(texel * block + block / 2, imageSize(colourTarget) - 1);
+        float land = abs(log2(landAway(centre) / ray.land));
+        float cloud = (1.0 - ray.through) * abs(log2(max(cloudAway(centre), 1.0) / max(ray.cloud, 1.0)));
+        vec2 near = mix(1.0 - share, share, vec2(side));
+        float weight = (near.x * near.y + 1e-3) / (0.02 + land + cloud);
+        light += weight * texelFetch(fallenLight, texel, 0);
+        lit += weight * texelFetch(fallenLit, texel, 0);
+        weights += weight;
+    }
+    light /= weights;
+    lit /= weights;
+    return Fallen(light.rgb / frame.exposure.x, light.a, lit.rgb, exp2(lit.a));
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -15,16 +50,10 @@ void main() {
     vec2 centre = vec2(pixel) + 0.5;
     if (!insidePicture(centre)) return;
     vec4 colour = imageLoad(colourTarget, pixel);
-    float cloud = texelFetch(cloudDistance, pixel, 0).r;
-    LightRay ray;
-    ray.direction = rayDirection(centre);
-    ray.land = distanceOfDepth(texelFetch(depthTarget, pixel, 0).r, centre);
-    ray.cloud = inverted == 1 ? 1.0 / max(cloud, 1e-6) : cloud;
-    ray.through = colour.a;
-    ray.pixel = centre;
     KeyLight key = keyLight();
-    vec3 radiance = colour.rgb / frame.exposure.x;
-    radiance += haloLight(ray, key) + gloryLight(ray, key);
-    radiance = behindFalling(radiance, ray, key) + strokeLight(ray);
+    LightRay ray = LightRay(rayDirection(centre), landAway(pixel), cloudAway(pixel), colour.a, centre);
+    vec3 radiance = colour.rgb / frame.exposure.x + haloLight(ray, key) + gloryLight(ray, key);
+    if (falling.optics.x > 0.5) radiance = behindFalling(radiance, fallenAt(pixel, ray), ray, key);
+    radiance += strokeLight(ray);
     imageStore(colourTarget, pixel, vec4(clamp(radiance * frame.exposure.x, vec3(0.0), vec3(60000.0)), colour.a));
 }
