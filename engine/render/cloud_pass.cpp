@@ -118,6 +118,10 @@ void CloudPass::composite(FrameContext const& context) {
     gl::barrier(gl::Barrier::all);
 }
 
+gl::Texture2D const* CloudPass::facts() const {
+    return !scene_.empty() && stores_[static_cast<std::size_t>(newest_)] ? &newest().facts : nullptr;
+}
+
 std::size_t CloudPass::screenBytes() const {
     std::size_t sum = shadow_.bytes() + depths_.bytes();
     for (std::optional<Store> const& store : stores_)

@@ -30,6 +30,10 @@ public:
     /// Into the colour target; its alpha becomes the transmittance of the clouds.
     void composite(FrameContext const& context);
 
+    /// lib/cloud_store.glsl's facts of the picture's clouds. Null before the first draw and without clouds.
+    gl::Texture2D const* facts() const;
+    CloudScene const& scene() const { return scene_; }
+
     /// GPU bytes of noise volumes and cloud map.
     std::size_t bytes() const { return scene_.bytes(); }
     /// GPU bytes of what the clouds keep for each pixel of the picture, of their shadow and of the depths toward the light.

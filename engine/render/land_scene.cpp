@@ -196,12 +196,21 @@ void LandScene::takeShadow(terrain::ShadowMap map) {
     shadow_ = std::move(map);
 }
 
+namespace {
+/// m above sea level: from where on the land is white. Snow on the ground brings it down; 4 cm hide all of it.
+double snowLine(Snapshot const& snapshot) {
+    constexpr double kHidden = 0.04, kLowest = -1000.0;  // m
+    double const share = std::clamp(snapshot.weather.snowDepth / kHidden, 0.0, 1.0);
+    return std::lerp(terrain::kSnowLine, kLowest, share * share * (3.0 - 2.0 * share));
+}
+}  // namespace
+
 void LandScene::fillBlock(FrameContext const& context) {
     glm::dvec3 const& camera = context.snapshot.camera.positionWorld;
     terrain::Runway const& runway = land_->runway();
     glm::dvec2 const home{-camera.x, camera.z};
     glsl::LandBlock block;
-    block.levels = glm::vec4{land_->waterLevel(), terrain::kSnowLine, list_.aboveGround, camera.y};
+    block.levels = glm::vec4{land_->waterLevel(), snowLine(context.snapshot), list_.aboveGround, camera.y};
     block.runway = glm::vec4{runway.directionEastNorth, runway.length, runway.width};
     block.home = glm::vec4{home, runway.altitude, glm::length(home) < 40'000.0 ? 1.0 : 0.0};
     glm::dvec2 const shadowCorner = shadow_->corner - glm::dvec2{camera.x, -camera.z};

@@ -28,6 +28,7 @@
 #include "engine/render/vegetation_pass.h"
 #include "engine/render/view.h"
 #include "engine/render/water_pass.h"
+#include "engine/render/weather_light_pass.h"
 
 namespace luftpost::render {
 namespace {
@@ -79,6 +80,7 @@ struct Renderer::Parts {
           water{programs},
           vegetation{programs},
           composite{programs},
+          weatherLight{programs},
           precipitation{programs},
           exposure{programs},
           models{programs},
@@ -113,6 +115,7 @@ struct Renderer::Parts {
     WaterPass water;
     VegetationPass vegetation;
     CompositePass composite;
+    WeatherLightPass weatherLight;
     PrecipitationPass precipitation;
     ExposurePass exposure;
     ModelPass models;
@@ -168,6 +171,7 @@ void Renderer::draw(Snapshot const& snapshot) {
     pass("cloud march", [&] { p.clouds.march(context); });
     pass("cloud resolve", [&] { p.clouds.resolve(context); });
     pass("cloud composite", [&] { p.clouds.composite(context); });
+    pass("weather light", [&] { p.weatherLight.draw(context, p.clouds); });
     pass("precipitation", [&] { p.precipitation.draw(context); });
     pass("smoke", [&] { p.puffs.draw(context); });
     pass("glass", [&] { p.models.drawBlended(context); });
@@ -210,6 +214,7 @@ void Renderer::Parts::begin(Snapshot const& snapshot) {
     describeView(snapshot, size, number, history, frame);
     sky.describe(snapshot, frame);
     clouds.describe(snapshot);
+    weatherLight.describe(snapshot, frame);
     models.describe(snapshot, frame);
     upload();
     frameBuffer.bindUniform(kFrameBinding);

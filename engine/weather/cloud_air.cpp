@@ -1,5 +1,6 @@
 #include "engine/weather/cloud_air.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/weather/cloud_column.h"
@@ -83,17 +84,18 @@ void addFall(CloudEffect& effect, Falling const& fall) {
     effect.hail += fall.hail;
 }
 
-void addShower(LayerAir const& l, double rank) {
+void addShower(LayerAir const& l, Shower const& shower) {
+    double const rank = l.rankAt(shower.source(l.base(), l.at.altitude));
     double const here = showerInside(l.layer.genus, rank, l.visible).here;
-    double const rate = l.sky.showerRate * showerShare(l.layer.genus) * here * gathered(l.at.altitude, l.base(), l.top());
-    double const core = l.layer.genus == Genus::Cb ? here : 0.0;
+    double const rate = shower.rate(here, l.at.altitude) * gathered(l.at.altitude, l.base(), l.top());
+    double const core = shower.storm ? here : 0.0;
     if (rate > 0.0) addFall(l.effect, fallingOf(l.sky.weather, rate, core, l.at.height, l.at.altitude, l.at.temperature));
 }
 
 /// Inside a cloud: what is drawn dims and freezes.
-void addDroplets(LayerAir const& l, glsl::LayerShape const& form, double rank) {
+void addDroplets(LayerAir const& l, glsl::LayerShape const& form) {
     glsl::LayerColumn column = l.column;
-    column.rank = static_cast<float>(rank);
+    column.rank = static_cast<float>(l.rankAt(glm::dvec2{0.0}));
     NoiseVolumes const& noise = *l.from.noise;
     double const extinction = static_cast<double>(glsl::layerSample(glm::vec3{l.at.positionWorld}, column, form, noise.shape.sampler(),
                                                                     noise.detail.sampler(), noise.curl.sampler(), 0.0f).extinction);
@@ -102,15 +104,12 @@ void addDroplets(LayerAir const& l, glsl::LayerShape const& form, double rank) {
     if (!genusRow(l.layer.genus).ice) l.effect.icing += extinction / static_cast<double>(form.look.w) * supercooled;
 }
 
-void addLayer(LayerAir const& l, glsl::LayerShape const& form) {
+void addLayer(LayerAir const& l, glsl::LayerShape const& form, Shower const& shower) {
     if (l.at.altitude >= l.top()) return;
     if (l.layer.genus == Genus::Cu) addCumulus(l);
     if (l.layer.genus == Genus::Cb) addStorm(l);
-    bool const inside = l.from.noise && l.at.altitude > l.base(), showers = l.sky.showerRate > 0.0 && showerShare(l.layer.genus) > 0.0;
-    if (!inside && !showers) return;
-    double const rank = l.rankAt(glm::dvec2{0.0});
-    if (showers) addShower(l, rank);
-    if (inside) addDroplets(l, form, rank);
+    if (shower.falls()) addShower(l, shower);
+    if (l.from.noise && l.at.altitude > l.base()) addDroplets(l, form);
 }
 
 void addDryThermals(CloudsNow const& sky, AirPoint const& at, CloudAirSources const& from, CloudEffect& effect) {
@@ -127,7 +126,7 @@ void addDryThermals(CloudsNow const& sky, AirPoint const& at, CloudAirSources co
 
 /// Rain of which no cloud is known falls everywhere.
 void addBareRain(CloudsNow const& sky, AirPoint const& at, CloudEffect& effect) {
-    if (sky.showerRate > 0.0 || sky.weather.precipitation == Precipitation::None) return;
+    if (sky.fallsFromClouds() || sky.weather.precipitation == Precipitation::None) return;
     double const rate = sky.weather.precipitationRate * (1.0 - smooth(kBareFrom, kBareTo, at.height));
     if (rate > 0.0) addFall(effect, fallingOf(sky.weather, rate, 0.0, at.height, at.altitude, at.temperature));
 }
@@ -142,12 +141,17 @@ void addFallen(Weather const& weather, double temperature, CloudEffect& effect) 
 }
 }  // namespace
 
+bool CloudsNow::fallsFromClouds() const {
+    return std::any_of(showers.begin(), showers.end(), [](Shower const& shower) { return shower.falls(); });
+}
+
 CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun) {
-    CloudsNow clouds{weather, CloudColumns{weather, seed, settings}.bare(), {}, stirringOf(weather, sun), showerRate(weather), {}};
+    CloudsNow clouds{weather, CloudColumns{weather, seed, settings}.bare(), {}, stirringOf(weather, sun), {}, {}};
     if (withShape) clouds.shape = cloudShape(weather, seed, glm::dvec2{0.0}, settings);
     // The outline lies where the rank is the cover. What the clouds are made from lies further out (calibratedCover).
     for (std::size_t i = 0; i < static_cast<std::size_t>(weather.layerCount); ++i)
         clouds.visible[i] = std::clamp(static_cast<double>(weather.layers[i].cover - settings.densityThreshold), 0.0, 1.0);
+    clouds.showers = showersOf(weather, clouds.visible);
     return clouds;
 }
 
@@ -163,7 +167,7 @@ Layer dryLayer(glm::dvec2 drift, double hours) {
 CloudEffect cloudEffect(CloudsNow const& sky, AirPoint const& at, CloudAirSources const& from) {
     CloudEffect effect;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sky.weather.layerCount); ++i)
-        addLayer({sky, at, from, sky.weather.layers[i], sky.column.layers[i], sky.visible[i], effect}, sky.shape.layers[i]);
+        addLayer({sky, at, from, sky.weather.layers[i], sky.column.layers[i], sky.visible[i], effect}, sky.shape.layers[i], sky.showers[i]);
     addDryThermals(sky, at, from, effect);
     addBareRain(sky, at, effect);
     addFallen(sky.weather, at.temperature, effect);

@@ -5,6 +5,7 @@
 #include "engine/weather/cloud_settings.h"
 #include "engine/weather/ranks.h"
 #include "engine/weather/relief.h"
+#include "engine/weather/showers.h"
 #include "engine/weather/stirring.h"
 #include "engine/weather/weather.h"
 #include "shaders/shared/cloud.glsl.h"
@@ -18,8 +19,11 @@ struct CloudsNow {
     glsl::CloudColumn column;
     glsl::CloudShape shape;     // with noise volumes only
     Stirring stirring;
-    double showerRate = 0.0;    // mm/h, of showerRate()
+    std::array<Shower, kMaxLayers> showers{};
     std::array<double, kMaxLayers> visible{};  // share of the plane where a layer is seen: the rank below which there is cloud
+
+    /// Whether what falls comes from clouds that are known.
+    bool fallsFromClouds() const;
 };
 /// `sun`: of sunHeating.
 CloudsNow cloudsOf(Weather const& weather, unsigned seed, CloudSettings const& settings, bool withShape, double sun);

@@ -201,10 +201,29 @@ bool watched(Site const& site) {
     });
 }
 
+/// Mist in the valleys that nobody reported: air near saturation that neither wind nor sun stirs cools in a clear night until it is fog,
+/// where the land is low. Not where the report says that one sees far, nor where it says what clouds there are.
+void fillValleyMist(Report const& said, Signs const& signs, FullReport& full) {
+    constexpr double kMostSpread = 1.2, kMostWind = 2.5;     // K, m/s (radiation fog: George 1951)
+    constexpr double kHighSun = 0.2, kClosed = 0.5;          // sine of the elevation; cover under which the ground does not cool
+    constexpr double kBelow = 150.0, kDepth = 60.0;          // m, of it under and over the site
+    if (said.layers || said.visibility_m.value_or(0.0) > 5000.0 || full.rate > 0.0 || signs.sunSine > kHighSun) return;
+    double closed = 0.0;
+    for (FullLayer const& layer : full.layers) {
+        if (layer.genus == Genus::Fog || layer.base < signs.elevation + 200.0) return;
+        closed = std::max(closed, layer.base < signs.elevation + 6000.0 ? layer.cover : 0.0);
+    }
+    double const near = 1.0 - signs.spread / kMostSpread, calm = 1.0 - signs.windSpeed / kMostWind, open = 1.0 - closed / kClosed;
+    if (near <= 0.0 || calm <= 0.0 || open <= 0.0 || full.layers.size() >= static_cast<std::size_t>(kMaxLayers)) return;
+    double const cover = 0.7 * std::sqrt(near * calm * open);
+    if (cover >= 0.05) addFilledLayer({Genus::Fog, cover, signs.elevation - kBelow, signs.elevation + kDepth}, full);
+}
+
 void fillLayers(Site const& site, bool watched, Report const& said, FullReport& full) {
     Signs const signs = signsOf(site, said, full);
     if (!said.layers) {
         fillUnsaidLayers(said, signs, watched, full);
+        if (!said.filled.contains("layers[0].genus")) fillValleyMist(said, signs, full);
         return;
     }
     for (std::size_t i = 0; i < said.layers->size(); ++i)

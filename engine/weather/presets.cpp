@@ -26,6 +26,7 @@ struct Preset {
     bool thunder;
     double cape;
     std::vector<PresetLayer> layers;
+    double snowDepth = 0.0;  // m
 };
 
 std::vector<Preset> const& presets() {
@@ -47,6 +48,18 @@ std::vector<Preset> const& presets() {
         {{"storm", "cumulonimbus with thunder, heavy rain and gusts"},
          10.0, 20.0, 260.0, 5000.0, 5.0, 4.0, 1003.0, Precipitation::Rain, 20.0, true, 1600.0,
          {{Cb, 0.85, 800.0, 10500.0}, {Sc, 0.50, 1500.0, 2100.0}, {As, 0.60, 5000.0, 6500.0}}},
+        {{"showers", "sun and thundery showers: shafts of rain, rainbows, anvils"},
+         7.0, 14.0, 270.0, 45000.0, 3.0, 9.0, 1006.0, Precipitation::Rain, 1.2, true, 1100.0,
+         {{Cb, 0.25, 1150.0, 10500.0}, {Cu, 0.20, 1150.0, 2300.0}}},
+        {{"veil", "a veil of cirrostratus before the sun: halo and sun dogs"},
+         4.0, 6.0, 210.0, 40000.0, -8.0, 6.0, 1014.0, Precipitation::None, 0.0, false, 0.0,
+         {{Cs, 0.95, 8000.0, 9300.0}}},
+        {{"mist", "a calm morning with mist in the valleys"},
+         0.8, 1.2, 90.0, 15000.0, -7.0, 0.4, 1024.0, Precipitation::None, 0.0, false, 0.0,
+         {{Fog, 0.60, -150.0, 70.0}}},
+        {{"snow", "snow showers over snow-covered land"},
+         6.0, 11.0, 310.0, 30000.0, -18.0, 2.5, 1009.0, Precipitation::Snow, 0.5, false, 250.0,
+         {{Cb, 0.40, 700.0, 5200.0}, {Sc, 0.30, 900.0, 1500.0}}, 0.25},
     };
     return all;
 }
@@ -65,6 +78,7 @@ Report reportOf(Preset const& preset, double elevation) {
     report.rate_mm_h = preset.rate;
     report.thunder = preset.thunder;
     report.cape_j_kg = preset.cape;
+    report.snowDepth_m = preset.snowDepth;
     report.layers.emplace();
     for (PresetLayer const& layer : preset.layers)
         report.layers->push_back({layer.genus, layer.cover, elevation + layer.base, elevation + layer.top});

@@ -6,6 +6,7 @@
 
 #include "engine/assets/sound.h"
 #include "engine/platform/paths.h"
+#include "engine/weather/lightning.h"
 
 namespace luftpost::app {
 namespace {
@@ -61,18 +62,14 @@ void SoundStage::noteFlaps(double flaps) {
     flaps_ = flaps;
 }
 
-/// Every 9 s of a thundery hour has a thunder or none, somewhere within 6 km: the same for the same time.
-void SoundStage::noteThunder(Simulation const& simulation, bool thundery, glm::dvec3 const& eyeWorld) {
-    constexpr double kSlotSeconds = 9.0, kFarthest = 6000.0;
-    auto const slot = static_cast<long long>(std::floor(simulation.utc() / kSlotSeconds));
-    if (slot == thunderSlot_) return;
-    thunderSlot_ = slot;
-    double const chance = std::sin(static_cast<double>(slot) * 12.9898) * 43758.5453;
-    double const share = chance - std::floor(chance), bearing = 2.0 * core::kPi * 7.0 * share;
-    if (!thundery || share > 0.45) return;
-    double const away = 800.0 + (kFarthest - 800.0) * share / 0.45;
-    glm::dvec3 const place = eyeWorld + away * glm::dvec3{std::sin(bearing), 0.2, std::cos(bearing)};
-    events_.push_back(sound(audio::Event::thunder, place, false));
+/// The thunder of the flashes that one sees, as late as it is far; nothing after a jump of the clock.
+void SoundStage::noteThunder(Simulation const& simulation, weather::Weather const& weather, glm::dvec3 const& eyeWorld) {
+    constexpr double kLongestFrame = 2.0;  // s
+    core::UtcSeconds const now = simulation.utc(), before = std::exchange(heardUntil_, now);
+    if (!(now > before) || now - before > kLongestFrame) return;
+    World const& world = simulation.world();
+    for (weather::Flash const& flash : weather::thunders(weather, world.land().seed(), before, now, eyeWorld, world.place().altitude_m))
+        events_.push_back(sound(audio::Event::thunder, flash.toGround ? 0.5 * (flash.sourceWorld + flash.groundWorld) : flash.sourceWorld, false));
 }
 
 void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera, bool inside, bool paused,
@@ -92,7 +89,7 @@ void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera
     core::AirSample const air = simulation.airNow().at(eye);
     state.rain = (air.rain + air.hail) / kSecondsPerHour;  // snow is not heard
     noteFlaps(simulation.stick().controls().flaps);
-    noteThunder(simulation, weather.thunder && !paused, eye);
+    if (!paused) noteThunder(simulation, weather, eye);
     state.stalled = readings.stallHorn;
     state.onGround = readings.onGround;
     state.groundSpeed = readings.groundSpeed;

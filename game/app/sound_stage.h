@@ -19,11 +19,11 @@ public:
 
 private:
     void noteFlaps(double flaps);
-    void noteThunder(Simulation const& simulation, bool thundery, glm::dvec3 const& eyeWorld);
+    void noteThunder(Simulation const& simulation, weather::Weather const& weather, glm::dvec3 const& eyeWorld);
 
     audio::Mixer mixer_;
     double flaps_ = 0.0;          // of the latest frame
-    long long thunderSlot_ = -1;  // the latest stretch of time that was asked for thunder
+    core::UtcSeconds heardUntil_ = 0.0;  // thunder that came until then has been played
     std::vector<audio::SoundEvent> events_;
 };
 }  // namespace luftpost::app

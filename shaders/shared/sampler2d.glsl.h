@@ -5,6 +5,7 @@
 #include "shaders/shared/language.glsl.h"
 #ifdef __cplusplus
 namespace luftpost::glsl {
+using namespace glm;
 struct sampler2D {
     vec4 const* texels = nullptr;  // row by row, width * height
     int width = 0;

@@ -335,7 +335,7 @@ TEST(Field, ReportsInTheShapeOfAReportWhatItUsesBetweenTwo) {
 }
 
 TEST(Field, ThePresetsAreWhatTheirNamesSay) {
-    ASSERT_EQ(presetNames().size(), 6u);
+    ASSERT_EQ(presetNames().size(), 10u);
     for (PresetName const& name : presetNames()) {
         Field const field = loadWeather("preset:" + std::string{name.name});
         Weather const w = field.at(0, 0, utc("2023-06-23T12:00Z"));
