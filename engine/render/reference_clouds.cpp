@@ -153,6 +153,7 @@ glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) 
 
 ReferenceClouds::Extinction ReferenceClouds::at(glm::dvec3 const& place) const {
     Extinction sum;
+    if (!grids_.back().covers(place.x, place.z)) return sum;
     glm::vec3 const p{place};
     for (int layer = 0; layer < layerCount_; ++layer) {
         glsl::LayerField const& field = fields_[static_cast<std::size_t>(layer)];

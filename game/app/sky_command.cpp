@@ -25,6 +25,7 @@
 #include "game/app/photo_box.h"
 #include "game/app/options.h"
 #include "game/app/plan.h"
+#include "game/app/video_file.h"
 #include "game/app/weather_source.h"
 
 namespace luftpost::app {
@@ -135,9 +136,13 @@ SkyRequest skyRequest(SkyTexts const& texts) {
         request.exposure_ev = static_cast<float>(numberOption("--exposure", texts.exposure, -30.0, 30.0));
     request.output = texts.output;
     if (request.output.empty()) throw core::Error{"-o", "", "expected FILE.png or FILE.exr"};
-    if (!isExr(request.output) && request.output.extension() != ".png")
+    if (isFilm(request.output)) {
+        if (!request.lapse) throw core::Error{"-o", "", fmt::format("expected --frames with a film, found {}", request.output.string())};
+        if (!canFilm()) throw core::Error{"-o", "", fmt::format("expected ffmpeg to be installed for {}", request.output.string())};
+    } else if (!isExr(request.output) && request.output.extension() != ".png") {
         throw core::Error{"-o", "",
                           fmt::format("expected FILE.png or FILE.exr, found {}", request.output.string())};
+    }
     core::checkOutputFolder("-o", request.output);
     readPlan(request, texts);
     readReference(request, texts);
@@ -212,7 +217,7 @@ render::Snapshot snapshotOf(SkyRequest const& request, Scene const& scene, Commo
 
 /// FILE.png, or FILE_0007.png in a time lapse.
 fs::path fileOfFrame(SkyRequest const& request, fs::path const& output, long long frame) {
-    if (!request.lapse) return output;
+    if (!request.lapse || isFilm(output)) return output;
     fs::path file = output;
     file.replace_filename(fmt::format("{}_{:04}{}", output.stem().string(), frame, output.extension().string()));
     return file;
@@ -227,19 +232,56 @@ void compareWithPhoto(SkyRequest const& request, assets::Image const& picture, l
     if (!request.beside.empty()) assets::writePng(fileOfFrame(request, request.beside, frame), sideBySide(picture, image));
 }
 
+/// Where a command's pictures go: one file, one for each frame, or a film of them.
+class PictureFiles {
+public:
+    PictureFiles(SkyRequest const& request, glm::ivec2 const& size) : request_{request} {
+        if (isFilm(request.output)) film_.emplace(request.output, size.x, size.y);
+    }
+    /// Whether the frame is wanted scene-linear.
+    bool linear() const { return isExr(request_.output); }
+    void add(assets::FloatImage const& picture, long long frame) const { assets::writeExr(fileOfFrame(request_, request_.output, frame), picture); }
+    void add(assets::Image const& picture, long long frame) {
+        if (film_) film_->add(picture);
+        else assets::writePng(fileOfFrame(request_, request_.output, frame), picture);
+    }
+    void finish() {
+        if (film_) film_->finish();
+    }
+
+private:
+    SkyRequest const& request_;
+    std::optional<VideoFile> film_;
+};
+
 /// Path-traced frames; says how noisy each is.
 void traceFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
     weather::NoiseVolumes const noise = noiseVolumes(common.settings.flight.clouds.noise);
+    PictureFiles files{request, common.size};
     for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
         render::Snapshot const snapshot = snapshotOf(request, scene, common, static_cast<double>(frame) * request.step);
         auto const traced = render::referencePicture(snapshot, common.size, request.samples, noise, toolWorkers());
-        fs::path const file = fileOfFrame(request, request.output, frame);
-        if (isExr(file))
-            assets::writeExr(file, traced.image);
-        else
-            assets::writePng(file, render::developed(traced.image, snapshot.graphics.exposure_ev));
-        fmt::print("{}: median noise {:.2f} %\n", file.string(), 100.0 * traced.noise);
+        if (files.linear()) files.add(traced.image, frame);
+        else files.add(render::developed(traced.image, snapshot.graphics.exposure_ev), frame);
+        fmt::print("{}: median noise {:.2f} %\n", fileOfFrame(request, request.output, frame).string(), 100.0 * traced.noise);
     }
+    files.finish();
+}
+
+/// Frames as the game draws them.
+void drawFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
+    auto const surface = platform::openHeadless(common.size);
+    gl::prepareContext();
+    render::Renderer renderer{{.size = common.size}};
+    PictureFiles files{request, common.size};
+    for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
+        renderer.draw(snapshotOf(request, scene, common, static_cast<double>(frame) * request.step));
+        if (files.linear()) files.add(renderer.readHdr(), frame);
+        else files.add(renderer.readPixels(), frame);
+        if (!request.photos.empty())
+            compareWithPhoto(request, renderer.readPixels(), frame, scene.start + static_cast<double>(frame) * request.step);
+    }
+    files.finish();
 }
 
 int runSky(SkyTexts const& texts, CommonOptions const& common) {
@@ -253,19 +295,7 @@ int runSky(SkyTexts const& texts, CommonOptions const& common) {
         traceFrames(request, scene, common);
         return 0;
     }
-    auto const surface = platform::openHeadless(common.size);
-    gl::prepareContext();
-    render::Renderer renderer{{.size = common.size}};
-    for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
-        renderer.draw(snapshotOf(request, scene, common, static_cast<double>(frame) * request.step));
-        fs::path const file = fileOfFrame(request, request.output, frame);
-        if (isExr(file))
-            assets::writeExr(file, renderer.readHdr());
-        else
-            assets::writePng(file, renderer.readPixels());
-        if (!request.photos.empty())
-            compareWithPhoto(request, renderer.readPixels(), frame, scene.start + static_cast<double>(frame) * request.step);
-    }
+    drawFrames(request, scene, common);
     return 0;
 }
 }  // namespace
@@ -278,13 +308,13 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_option("--fov", texts->fov, "horizontal field of view, degrees (default 75)");
     sky->add_flag("--panorama", texts->panorama, "the whole sphere, equirectangular, north at the left edge");
     sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
-    sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear)");
+    sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear); of a time lapse also FILE.mp4, .mkv, .webm, by ffmpeg");
     sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
     sky->add_option("--reference", texts->reference, "SPP: path-traced, with so many paths for each pixel; needs no OpenGL");
     sky->add_option("--photo", texts->photo, "FILE or folder: says how alike the colours are (the photograph nearest in time)");
     sky->add_option("--side-by-side", texts->beside, "FILE.png: picture and photograph beside each other, with --photo");
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
-    sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on");
+    sky->add_option("--frames", texts->frames, "A:B: a time lapse, written to FILE_0000.png and so on, or to a film");
     sky->add_option("--step", texts->step, "seconds between frames (default 60)");
     sky->callback(
         [texts, &common, &chosen] { chosen = [texts, &common] { return runSky(*texts, common); }; });

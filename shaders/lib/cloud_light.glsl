@@ -4,15 +4,15 @@
 // of times before it leaves a cumulus. To follow it is the reference's work; here is what is left of it.
 //
 // MODEL. Three parts, all in radiance per unit of irradiance of the light.
-//   - Scattered once: Henyey and Greenstein's phase function, forward lobe and a weak backward one, times exp(-depth).
-//     It makes the silver rim.
-//   - Scattered a few times: it still runs forward, broader each time (g squared), through a cloud that looks thinner
-//     the less the turns count: octaves after Wrenninge (2013).
-//   - Scattered many times: isotropic. In a thick cloud that absorbs nothing the two-stream solution makes what gets
-//     through depth t fall like 1 / (1 + 0.75 (1 - g) t), not exponentially: shaded bases are a quarter to an eighth of
-//     the sunlit sides, not black. Near a face light leaks out again, and a thin cloud never had it: the share grows
-//     with the optical depth to the nearest face.
-// All phase functions hold the 1 / (4 pi), and no term is clamped from below.
+//   - Scattered once: the phase function times exp(-depth). It makes the silver rim.
+//   - Scattered a few times: it still runs forward, broader, through a cloud that looks thinner the less the turns
+//     count: an octave after Wrenninge (2013).
+//   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
+//     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
+//     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
+//     leaks out.
+// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on three of its eight
+// scenes. All phase functions hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
 #define LUFTPOST_CLOUD_LIGHT_GLSL
 #include "shaders/shared/language.glsl.h"
@@ -28,35 +28,53 @@ GLSL_FUNCTION float henyeyGreenstein(float cosine, float g) {
     return kIsotropic * (1.0f - g * g) / (k * sqrt(k));
 }
 
-// Cloud droplets: a forward lobe of asymmetry g, and a little that comes back. With g = 0.91 the mean cosine is 0.85, as
-// Mie's theory has it for droplets of 10 um, and the sides and the back are as bright as its mean over their sizes.
+// Cloud droplets: a forward lobe of asymmetry g, and a little that comes back, about as much as Mie's theory has for droplets of
+// 10 um toward the sides and the back. Its forward peak is broader than theirs, whose mean cosine is 0.85.
 GLSL_CONST float kBackwardShare = 0.04f;
 GLSL_CONST float kBackward = -0.6f;
 GLSL_FUNCTION float cloudPhase(float cosine, float g) {
     return (1.0f - kBackwardShare) * henyeyGreenstein(cosine, g) + kBackwardShare * henyeyGreenstein(cosine, kBackward);
 }
 
-// Share of a flux that gets through optical depth t of a cloud that absorbs nothing (two streams).
-GLSL_FUNCTION float diffused(float t, float g) { return 1.0f / (1.0f + 0.75f * (1.0f - g) * t); }
+// Mean cosine of cloudPhase.
+GLSL_FUNCTION float meanCosine(float g) { return (1.0f - kBackwardShare) * g + kBackwardShare * kBackward; }
 
-// Albedo of a cloud of optical depth t that absorbs nothing: what `diffused` leaves.
-GLSL_FUNCTION float cloudAlbedo(float t, float g) { return 1.0f - diffused(t, g); }
+// Share of a flux that gets through optical depth t of a slab that absorbs nothing; `s`: 1 less the mean cosine.
+GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s * t); }
+
+// 4 pi times the mean radiance in such a slab, over the flux that falls on it: optical depth `front` below the lit face,
+// `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
+GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
+
+GLSL_CONST float kFewTurns = 0.91f;
+GLSL_CONST float kFewLobe = 0.7f;      // asymmetry
+GLSL_CONST float kFewFade = 0.5f;
+GLSL_CONST float kManyTurns = 1.77f;
+GLSL_CONST float kManyFront = 0.5f;    // light comes in on other ways than the straight one: the depth of the face counts half
+GLSL_CONST float kManySides = 6.0f;    // loss through the sides, per depth over width
+GLSL_CONST float kManyLeak = 0.8f;     // near a face
+GLSL_CONST float kManyLeakFade = 1.3f;
+GLSL_CONST float kFromAbove = 0.36f;
+GLSL_CONST float kFromBelow = 1.21f;
 
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
-// `depth` (optical) below the nearest face of a cloud `bulk` (optical) large. `powder` darkens thin edges beyond what
-// physics does (0: none).
-GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float bulk, float powder) {
-    float scattered = cloudAlbedo(bulk, g);
+// `depth` (optical) below the nearest face of a cloud `bulk` large and `wide` across (optical, both). `powder` darkens thin edges
+// beyond what physics does (0: none).
+GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float bulk, float wide, float powder) {
+    float s = 1.0f - meanCosine(g);
     float once = cloudPhase(cosine, g) * exp(-toLight);
-    float few = scattered * henyeyGreenstein(cosine, 0.45f * g) * exp(-(1.0f - g) * 1.4f * toLight);
-    float leak = 1.0f - 0.6f * exp(-1.3f * (1.0f - g) * depth);
-    float many = 0.40f * scattered * leak * diffused(toLight, g);
+    float few = kFewTurns * (1.0f - diffused(bulk, s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
+    float sides = exp(-kManySides * toLight / (wide + 2.0f));
+    float leak = 1.0f - kManyLeak * exp(-kManyLeakFade * s * depth);
+    float inside = meanInside(kManyFront * toLight, max(bulk - toLight, 0.0f), s) - 2.0f * exp(-s * toLight);
+    float many = kManyTurns * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 
 // The same of diffuse light: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere.
 GLSL_FUNCTION vec3 litByDiffuse(vec3 fromAbove, vec3 fromBelow, float above, float below, float g) {
-    return 0.5f * (fromAbove * diffused(above, g) + fromBelow * diffused(below, g));
+    float s = 1.0f - meanCosine(g);
+    return 0.25f * (kFromAbove * fromAbove * meanInside(above, below, s) + kFromBelow * fromBelow * meanInside(below, above, s));
 }
 
 GLSL_END

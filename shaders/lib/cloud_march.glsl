@@ -99,13 +99,13 @@ LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float first) {
     vec3 toward = there.toward;
     vec3 beam = there.beam;
-    float overhead = depthOfLayersAbove(p, toward);
+    LayersAbove overhead = layersAbove(p, toward);
     vec3 light = vec3(0.0);
     if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
-        float toLight = depthToward(p, toward, first, lod) + overhead;
-        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, here.bulk, clouds.light.y);
+        float toLight = depthToward(p, toward, first, lod) + overhead.sheets;
+        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, here.bulk, here.wide, clouds.light.y);
     }
-    return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead, here.below, clouds.light.x);
+    return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
 }
 
 /// A sheet of fibres where the ray crosses the middle of its layer.
@@ -123,7 +123,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
     LightThere there = lightThere(place, direction, t, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = straight / slope;
-    vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 0.0) +
+    vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 1.0e3, 0.0) +
                  litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
     MarchResult result;
     result.through = exp(-depth);

@@ -53,6 +53,7 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     float h = (p.y - column.base) / (column.top - column.base);
     near.depth = mix(near.depth, 0.5, coarse);
     near.bulk = mix(near.bulk, 15.0, coarse);
+    near.wide = mix(near.wide, 30.0, coarse);
     near.above = mix(near.above, 8.0 * (1.0 - h), coarse);
     near.below = mix(near.below, 8.0 * h, coarse);
     return near;
@@ -80,6 +81,7 @@ CloudSample cloudOf(int bits, vec3 p, float lod) {
         float share = one.extinction / (sum.extinction + one.extinction);
         sum.depth = max(sum.depth, one.depth);
         sum.bulk = max(sum.bulk, one.bulk);
+        sum.wide = max(sum.wide, one.wide);
         sum.above = mix(sum.above, one.above, share);
         sum.below = mix(sum.below, one.below, share);
         sum.extinction += one.extinction;
@@ -108,23 +110,27 @@ bool cloudMayBeOf(int bits, vec3 p) {
     return found;
 }
 
-/// Optical depth of the layers that lie above `p`'s own, where a way along `toward` passes them.
-float depthOfLayersAbove(vec3 p, vec3 toward) {
-    float sum = 0.0;
+/// Optical depths of the layers that lie wholly above a place, where a way along `toward` passes them.
+struct LayersAbove {
+    float sheets;  // of fibres: depthToward does not meet them
+    float all;
+};
+LayersAbove layersAbove(vec3 p, vec3 toward) {
+    LayersAbove sum = LayersAbove(0.0, 0.0);
     int bits = 0;
     for (int layer = 0; layer < kCloudLayers; ++layer) {
         vec4 extent = clouds.shapes[layer].extent;
-        bits |= extent.z > 0.5 && 0.5 * (extent.x + extent.y) >= p.y ? 1 << layer : 0;
+        bits |= extent.z > 0.5 && extent.x >= p.y ? 1 << layer : 0;
     }
     for (; bits != 0; bits &= bits - 1) {
         int layer = findLSB(bits);
         vec4 extent = clouds.shapes[layer].extent;
-        float middle = 0.5 * (extent.x + extent.y);
         float coarse;
         float up = max(toward.y, 0.08);
-        LayerColumn c = columnAt(layer, p.xz + toward.xz * (middle - p.y) / up, coarse);
-        float share = clamp((middle - p.y) / (middle - extent.x), 0.0, 1.0);
-        sum += share * envelopeDepth(c, clouds.shapes[layer], up);
+        LayerColumn c = columnAt(layer, p.xz + toward.xz * ((0.5 * (extent.x + extent.y) - p.y) / up), coarse);
+        float depth = envelopeDepth(c, clouds.shapes[layer], up);
+        sum.all += depth;
+        sum.sheets += clouds.shapes[layer].look.z > 0.5 ? depth : 0.0;
     }
     return sum;
 }

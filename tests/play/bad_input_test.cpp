@@ -37,6 +37,7 @@ TEST(BadInput, IsFoundInTheReference) {
     expectRefused("sky --reference 0 " + out, {"--reference", "1..", "0"});
     expectRefused("sky --reference many " + out, {"--reference", "many"});
     expectRefused("sky --reference 4 --plan 20 " + out, {"--reference", "--plan"});
+    expectRefused("sky -o " + (scratch() / "f.mp4").string(), {"f.mp4", "--frames"});
     auto const asked = [](std::string const& name, std::string const& text) {
         path const file = scratch() / (name + ".json");
         writeText(file, text);

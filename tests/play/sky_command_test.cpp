@@ -126,4 +126,36 @@ TEST(SkyCommand, RefusesWhatItCannotDrawInOneLine) {
         EXPECT_FALSE(fs::exists(folder() / "no.png")) << arguments;
     }
 }
+// With ffmpeg there is a film, without it one line says so; neither leaves a part behind.
+TEST(SkyCommand, WritesAFilmWhereFfmpegIsInstalled) {
+    fs::path const film = folder() / "day.mp4";
+    bool const installed = std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
+    Outcome const outcome = run(still("day.mp4", "--frames 0:2 --step 600", "33x18"));
+    EXPECT_EQ(outcome.code, installed ? 0 : 2) << outcome.errors;
+    EXPECT_EQ(fs::exists(film), installed);
+    EXPECT_EQ(outcome.errors.find("ffmpeg") != std::string::npos, !installed) << outcome.errors;
+    EXPECT_FALSE(fs::exists(folder() / ".day.part.mp4"));
+    if (installed) {
+        EXPECT_GT(fs::file_size(film), 500u);
+    }
+}
+
+// The path tracer's sky is the game's where there are no clouds, and needs no OpenGL.
+TEST(SkyCommand, TracesTheClearSkyThatTheGameDraws) {
+    std::string const view = "--time 2023-06-21T08:00Z --look 300,40 --fov 40";
+    ASSERT_EQ(run(still("drawn.exr", view, "24x24")).code, 0);
+    ASSERT_EQ(run(still("traced.exr", view + " --reference 256", "24x24")).code, 0);
+    Picture const drawn = picture("drawn.exr"), traced = picture("traced.exr");
+    ASSERT_EQ(traced.channels, 4);
+    for (int channel = 0; channel < 3; ++channel) {
+        double ours = 0.0, theirs = 0.0;
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x) {
+                ours += static_cast<double>(drawn.at(x, y, channel));
+                theirs += static_cast<double>(traced.at(x, y, channel));
+                EXPECT_EQ(traced.at(x, y, 3), 0.0f);
+            }
+        EXPECT_NEAR(ours / theirs, 1.0, 0.1) << channel;
+    }
+}
 }  // namespace

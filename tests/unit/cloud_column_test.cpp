@@ -295,8 +295,8 @@ TEST(CloudLight, PhaseFunctionsIntegrateToOne) {
 }
 
 TEST(CloudLight, LeavesShadedBasesAQuarterToAnEighthOfSunlitSides) {
-    float const side = glsl::litByBeam(0.0f, 0.85f, 0.5f, 6.0f, 60.0f, 0.0f);
-    float const base = glsl::litByBeam(0.0f, 0.85f, 55.0f, 6.0f, 60.0f, 0.0f);
+    float const side = glsl::litByBeam(0.0f, 0.85f, 0.5f, 6.0f, 60.0f, 60.0f, 0.0f);
+    float const base = glsl::litByBeam(0.0f, 0.85f, 55.0f, 6.0f, 60.0f, 60.0f, 0.0f);
     EXPECT_GT(side / base, 4.0f);
     EXPECT_LT(side / base, 8.5f);
 }
