@@ -17,7 +17,7 @@ namespace {
 constexpr double kReach = 40'000.0;        // m: as the layers' fields
 constexpr double kFlashReach = 60'000.0;   // m
 constexpr int kFlightBlock = 4;               // pixels each way for which one ray of shafts stands in flight
-constexpr int kStillSamples = 80, kFlightSamples = 40;  // along a ray
+constexpr int kStillSamples = 128, kFlightSamples = 40;  // along a ray
 constexpr double kDroplet = 8e-6;          // m, effective radius where glories are seen
 /// Radiant intensity of a strong stroke: some 4e5 J of light (Turman 1977 saw 1e5 to 1e7 from space) which a frame of a sixtieth of a second
 /// gathers, into all directions, against the sun's 1361 W/m2 of which half is light.
