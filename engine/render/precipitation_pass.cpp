@@ -9,11 +9,26 @@ namespace luftpost::render {
 namespace {
 constexpr double kShutter = 1.0 / 160.0;  // s
 constexpr double kWrap = 4096.0;         // m
-constexpr double kSnowFall = 1.1;        // m/s
 
-/// Terminal velocity of the drops that carry most of the water: Atlas and Ulbrich 1977, v = 3.78 D^0.67 (D in mm), with
-/// the median diameter of Marshall and Palmer, D = 0.9 R^0.21.
-double rainFall(double rate) { return 3.78 * std::pow(0.9 * std::pow(rate, 0.21), 0.67); }
+/// What falls, as it is seen: m/s, m across, opacity of a streak, share of the cells with one at 1 mm/h, m of the shortest streak.
+struct Drops {
+    double speed, size, opacity, share, shortest;
+};
+
+/// Drops that carry most of the water: the median diameter of Marshall and Palmer, D = 0.9 R^0.21 mm, falling with 3.78 D^0.67 m/s (Atlas and
+/// Ulbrich 1977); drizzle is small and slow by that. They are drawn twice as wide as they are: a drop is a lens with a bright rim.
+Drops rain(double rate) {
+    double const diameter = 0.9 * std::pow(rate, 0.21);
+    return {3.78 * std::pow(diameter, 0.67), 2e-3 * diameter, 0.4, 0.2, 0.03};
+}
+constexpr Drops kSnow{1.1, 8e-3, 1.0, 0.35, 0.012};
+/// Stones of 8 mm: 12.43 D^0.5 m/s, D in cm (Matson and Huggins 1980).
+constexpr Drops kHail{11.1, 8e-3, 1.0, 0.06, 0.01};
+
+Drops dropsOf(core::AirSample const& air) {
+    if (air.hail > 0.25 * (air.rain + air.snow + air.hail)) return kHail;
+    return air.snow > air.rain + air.hail ? kSnow : rain(air.rain + air.hail);
+}
 
 constexpr double kLeast = 0.05;          // mm/h, less is not seen
 }  // namespace
@@ -25,20 +40,18 @@ void PrecipitationPass::draw(FrameContext const& context) {
     core::AirSample const& air = snapshot.air;
     double const rate = air.rain + air.snow + air.hail;
     if (rate < kLeast) return;
-    bool const snow = air.snow > air.rain + air.hail;
+    Drops const drops = dropsOf(air);
     glm::dvec3 const moved{glm::vec3{context.frame.cameraMoved}};
     glm::dvec3 const cameraVelocity = snapshot.frameSeconds > 0.0 ? moved / snapshot.frameSeconds : glm::dvec3{0.0};
-    glm::dvec3 const fall{0.0, snow ? -kSnowFall : -rainFall(rate), 0.0};
-    glm::dvec3 const velocity = air.windWorld + fall - cameraVelocity;
+    glm::dvec3 const velocity = air.windWorld - glm::dvec3{0.0, drops.speed, 0.0} - cameraVelocity;
     double const speed = std::max(glm::length(velocity), 0.1);
     fallen_ = snapshot.still ? 0.0 : std::fmod(fallen_ + speed * snapshot.frameSeconds, kWrap);
 
-    double const streak = std::clamp(speed * kShutter, snow ? 0.012 : 0.03, 0.6);
-    double const share = std::clamp((snow ? 0.35 : 0.2) * std::pow(rate, 0.5), 0.02, 0.8);
+    double const streak = std::clamp(speed * kShutter, drops.shortest, 0.6);
+    double const share = std::clamp(drops.share * std::sqrt(rate), 0.02, 0.8);
     program_.use();
     program_.set("axisAndFallen", glm::vec4{glm::dvec4{velocity / speed, fallen_}});
-    program_.set("dropShape", glm::vec4{static_cast<float>(streak), snow ? 0.008f : 0.0016f, static_cast<float>(share),
-                                        snow ? 1.0f : 0.4f});
+    program_.set("dropShape", glm::vec4{glm::dvec4{streak, drops.size, share, drops.opacity}});
     context.targets.depth.bind(0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(context.targets.size, {8, 8});

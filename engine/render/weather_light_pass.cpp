@@ -11,26 +11,25 @@
 #include "engine/weather/lightning.h"
 #include "engine/weather/showers.h"
 #include "shaders/lib/lightning.glsl"
+#include "shaders/lib/sky_optics.glsl"
 
 namespace luftpost::render {
 namespace {
 constexpr double kReach = 40'000.0;        // m: as the layers' fields
 constexpr double kFlashReach = 60'000.0;   // m
 constexpr int kFlightBlock = 4;               // pixels each way for which one ray of shafts stands in flight
-constexpr int kStillSamples = 80, kFlightSamples = 40;  // along a ray
+constexpr int kStillSamples = 128, kFlightSamples = 40;  // along a ray
 constexpr double kDroplet = 8e-6;          // m, effective radius where glories are seen
 /// Radiant intensity of a strong stroke: some 4e5 J of light (Turman 1977 saw 1e5 to 1e7 from space) which a frame of a sixtieth of a second
 /// gathers, into all directions, against the sun's 1361 W/m2 of which half is light.
 constexpr double kFlashIntensity = 4e5 * 60.0 / (4.0 * core::kPi) / (0.5 * 1361.0);
 
-gl::Texture2D phaseTexture() {
-    gl::Texture2D texture{gl::Format::rgba32f, {sky::kPhaseAngles, 3}, 1, "phase functions"};
+/// Rows of rain, droplets and ice, as lib/sky_optics knows them.
+std::vector<float> phaseTexels() {
     std::vector<float> texels;
     for (sky::PhaseTable const& table : {sky::rainPhase(), sky::dropletPhase(kDroplet), sky::icePhase()})
         for (glm::vec4 const& value : table) texels.insert(texels.end(), {value.x, value.y, value.z, value.w});
-    texture.upload(std::span<float const>{texels});
-    texture.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
-    return texture;
+    return texels;
 }
 
 std::array<weather::Shower, weather::kMaxLayers> showersIn(weather::Weather const& weather, weather::CloudSettings const& settings) {
@@ -107,7 +106,7 @@ std::vector<glsl::Stroke> strokesNow(Snapshot const& snapshot) {
 }
 
 WeatherLightPass::WeatherLightPass(gl::ProgramLibrary& programs)
-    : program_{programs.compute("weather_light")}, fallingProgram_{programs.compute("falling")}, phases_{phaseTexture()}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
+    : program_{programs.compute("weather_light")}, fallingProgram_{programs.compute("falling")}, computing_{std::async(std::launch::async, phaseTexels)}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
 
 void WeatherLightPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     block_ = {};
@@ -136,6 +135,14 @@ WeatherLightPass::Shafts::Shafts(glm::ivec2 const& pixels, int size)
       block{size},
       light{gl::Format::rgba16f, (pixels + size - 1) / size, 1, "shafts"},
       lit{gl::Format::rgba16f, (pixels + size - 1) / size, 1, "lit rain"} {}
+
+void WeatherLightPass::takePhases() {
+    if (phases_) return;
+    phases_.emplace(gl::Format::rgba32f, glm::ivec2{sky::kPhaseAngles, static_cast<int>(glsl::kPhaseRows)}, 1, "phase functions");
+    std::vector<float> const texels = computing_.get();
+    phases_->upload(std::span<float const>{texels});
+    phases_->setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::clampToEdge);
+}
 
 /// Whether there is anything to draw: what falls or flashes, ice for a halo, cloud under the camera for a glory.
 bool WeatherLightPass::adds(FrameContext const& context, CloudScene const& scene) const {
@@ -171,7 +178,8 @@ void WeatherLightPass::draw(FrameContext const& context, CloudPass const& clouds
     clouds.scene().bind();
     context.targets.depth.bind(0);
     facts->bind(1);
-    phases_.bind(static_cast<unsigned>(glsl::kPhaseUnit));
+    takePhases();
+    phases_->bind(static_cast<unsigned>(glsl::kPhaseUnit));
     bool const falling = block_.optics.x > 0.5f;
     if (falling) drawShafts(context);
     program_.use();

@@ -1,6 +1,7 @@
 // What the weather adds to the light of the picture: shafts of rain and snow, rainbow, cloud bow, glory, halo, sun dogs, lightning.
 #pragma once
 #include <array>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -20,7 +21,7 @@ std::vector<glsl::Stroke> strokesNow(Snapshot const& snapshot);
 
 class WeatherLightPass {
 public:
-    /// Computes the phase functions: some tenths of a second.
+    /// Begins to compute the phase functions, some tenths of a second, on a thread of their own; the first draw waits for them.
     explicit WeatherLightPass(gl::ProgramLibrary& programs);
 
     /// Fills the block; lightning's light is added to that of sky and ground. After the sky has described its own.
@@ -37,12 +38,14 @@ private:
         gl::Texture2D light, lit;
     };
     bool adds(FrameContext const& context, CloudScene const& scene) const;
+    void takePhases();
     void drawShafts(FrameContext const& context);
 
     gl::Program const& program_;
     gl::Program const& fallingProgram_;
     std::optional<Shafts> shafts_;
-    gl::Texture2D phases_;
+    std::future<std::vector<float>> computing_;
+    std::optional<gl::Texture2D> phases_;
     gl::Buffer buffer_;
     glsl::FallBlock block_{};
 };

@@ -241,10 +241,14 @@ std::vector<double> iceEnergy(double index) {
 }  // namespace
 
 PhaseTable rainPhase() {
+    constexpr int kAxis = 15;  // bins: 1.5 degrees
     PhaseTable table(kPhaseAngles, glm::vec4{0.0f});
     for (int i = 0; i < kWavelengths; ++i) {
         std::vector<double> const bins = dropEnergy(waterIndex(wavelength_nm(i)));
-        addSpectrum(table, phaseOf(blurred(bins, core::radians(0.3))), i);
+        std::vector<double> phase = phaseOf(blurred(bins, core::radians(0.3)));
+        // Rays through a drop's middle meet in a point straight back, which waves do not.
+        std::fill(phase.end() - kAxis, phase.end(), *(phase.end() - kAxis - 1));
+        addSpectrum(table, phase, i);
     }
     return table;
 }

@@ -84,9 +84,15 @@ void addFall(CloudEffect& effect, Falling const& fall) {
     effect.hail += fall.hail;
 }
 
+/// Share of the cover of a storm's foot that its towers still have at an altitude: what falls beside them would fall through clear air.
+double towerShare(double altitude, double base, double top) {
+    double const height = std::clamp((altitude - base) / std::max(top - base, 1.0), 0.0, 1.0);
+    return 1.0 - 0.75 * (1.0 - std::sqrt(1.0 - height));  // lib/cloud's walls, a little inside
+}
+
 void addShower(LayerAir const& l, Shower const& shower) {
     double const rank = l.rankAt(shower.source(l.base(), l.at.altitude));
-    double const here = showerInside(l.layer.genus, rank, l.visible).here;
+    double const here = showerInside(l.layer.genus, rank, l.visible * (shower.storm ? towerShare(l.at.altitude, l.base(), l.top()) : 1.0)).here;
     double const rate = shower.rate(here, l.at.altitude) * gathered(l.at.altitude, l.base(), l.top());
     double const core = shower.storm ? here : 0.0;
     if (rate > 0.0) addFall(l.effect, fallingOf(l.sky.weather, rate, core, l.at.height, l.at.altitude, l.at.temperature));

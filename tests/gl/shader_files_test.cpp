@@ -15,6 +15,7 @@
 #include "engine/core/file.h"
 #include "engine/gl/program.h"
 #include "shaders/shared/cloud.glsl.h"
+#include "shaders/shared/falling.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/sky_block.glsl.h"
 #include "shaders/shared/terrain.glsl.h"
@@ -121,7 +122,8 @@ class SharedBlocks : public test::GlTest {};
 std::map<std::string, std::size_t> const kSizes{{"FrameBlock", sizeof(glsl::FrameBlock)},
                                                 {"SkyBlock", sizeof(glsl::SkyBlock)},
                                                 {"CloudBlock", sizeof(glsl::CloudBlock)},
-                                                {"LandBlock", sizeof(glsl::LandBlock)}};
+                                                {"LandBlock", sizeof(glsl::LandBlock)},
+                                                {"FallBlock", sizeof(glsl::FallBlock)}};
 
 TEST_F(SharedBlocks, LieInTheDriverAsInCpp) {
     std::map<std::string, bool> seen;

@@ -155,6 +155,26 @@ TEST_F(WeatherLight, ShaftsStandUnderTheStormsAndDimWhatIsBehindThem) {
     EXPECT_LT(above / aboveCount, 0.5 * below / belowCount);
 }
 
+TEST_F(WeatherLight, SnowOnTheGroundWhitensTheLandAndRainDarkensIt) {
+    View view{"preset:clear", "2023-06-21T10:30Z", {64, 36}};
+    view.snapshot.drawTerrain = true;
+    view.look(0.0, -0.5, 60.0);
+    auto const brightness = [&] {
+        assets::FloatImage const image = view.draw();
+        double sum = 0.0;
+        for (std::size_t i = 1; i < image.values.size(); i += 4) sum += static_cast<double>(image.values[i]);
+        return sum;
+    };
+    double const bare = brightness();
+    view.snapshot.weather.snowDepth = 0.25;
+    double const white = brightness();
+    EXPECT_GT(white, 2.2 * bare) << "albedo 0.8 against 0.2";
+    view.snapshot.weather.snowDepth = 0.0;
+    view.snapshot.weather.precipitation = weather::Precipitation::Rain;
+    view.snapshot.weather.precipitationRate = 2.0;  // no cloud to rain from: the ground alone changes
+    EXPECT_LT(brightness(), 0.97 * bare);
+}
+
 TEST_F(WeatherLight, AFlashLightsItsCloudAndIsDarkBeforeAndAfter) {
     View view{"preset:storm", "2023-06-21T21:30Z"};
     auto const flashes = weather::flashes(view.snapshot.weather, 1, view.snapshot.time, view.snapshot.time + 600.0, {0.0, 0.0}, 9000.0, view.snapshot.place.altitude_m);
