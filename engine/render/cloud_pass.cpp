@@ -96,7 +96,8 @@ void CloudPass::findAgain(FrameContext const& context) {
     (known ? older() : newest()).facts.bind(2);
     newest().facts.bind(3);
     gl::dispatchOver(context.targets.size, kGroup);
-    gl::barrier(gl::Barrier::all);
+    gl::barrier(gl::Barrier::image);
+    gl::barrier(gl::Barrier::indirect);
 }
 
 void CloudPass::marchAsked() {
@@ -105,7 +106,7 @@ void CloudPass::marchAsked() {
     gl::barrier(gl::Barrier::image);
     fillProgram_.use();
     gl::dispatchIndirect(rays_, offsetof(RayListHead, fillGroups));
-    gl::barrier(gl::Barrier::textureFetch);
+    gl::barrier(gl::Barrier::all);
 }
 
 void CloudPass::composite(FrameContext const& context) {
