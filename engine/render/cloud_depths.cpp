@@ -16,14 +16,17 @@ constexpr int kBands = 16;             // frames in which all rows are drawn ane
 constexpr float kHeightStep = 100.0f;  // m: by so much lowest and highest slice move at a time
 constexpr unsigned kUnit = 16;
 
-/// Between which altitudes there are layers with a body, m, in whole steps; x above y when there are none.
-glm::vec2 heightsOf(glsl::CloudBlock const& block) {
-    glm::vec2 heights{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+/// Between which altitudes there are layers with a body, m, in whole steps; x above y when there are none. z: middle of the
+/// lowest of them: there a low light's slant takes least out of the grids' reach.
+glm::vec3 heightsOf(glsl::CloudBlock const& block) {
+    constexpr float kHighest = std::numeric_limits<float>::max();
+    glm::vec3 heights{kHighest, -kHighest, kHighest};
     for (int i = 0; i < block.march.x; ++i) {
         glsl::LayerShape const& shape = block.shapes[i];
         if (shape.extent.z < 0.5f || shape.look.z > 0.5f) continue;
         heights.x = std::min(heights.x, std::floor(shape.extent.x / kHeightStep) * kHeightStep);
         heights.y = std::max(heights.y, std::ceil(shape.extent.y / kHeightStep) * kHeightStep);
+        heights.z = std::min(heights.z, std::round(0.5f * (shape.extent.x + shape.extent.y) / kHeightStep) * kHeightStep);
     }
     return heights;
 }
@@ -35,7 +38,7 @@ CloudDepths::CloudDepths(gl::ProgramLibrary& programs)
       sampler_{{.wrap = gl::Wrap::repeat}, "cloud depths"} {}
 
 void CloudDepths::place(Snapshot const& snapshot, CloudScene& scene) {
-    glm::vec2 const heights = heightsOf(scene.block());
+    glm::vec3 const heights = heightsOf(scene.block());
     bool const any = heights.x < heights.y;
     whole_ = whole_ || snapshot.still || scene.leapt() || (any && heights != heights_);
     heights_ = heights;
@@ -45,7 +48,7 @@ void CloudDepths::place(Snapshot const& snapshot, CloudScene& scene) {
         glm::dvec2 const modulo = camera - glm::floor(camera / kWidths[i]) * kWidths[i];
         places[i] = glm::vec4{glm::dvec4{modulo, 1.0 / kWidths[i], kWidths[i]}};
     }
-    scene.setDepthPlaces(places, {heights, 0.5f * (heights.x + heights.y), any ? 1.0f : 0.0f});
+    scene.setDepthPlaces(places, {heights, any ? 1.0f : 0.0f});
 }
 
 void CloudDepths::draw(CloudScene const& scene) {

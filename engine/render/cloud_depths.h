@@ -26,7 +26,7 @@ private:
     gl::Program const& program_;
     gl::Texture3D grids_;
     gl::Sampler sampler_;
-    glm::vec2 heights_{0.0f};  // m above sea level, of the lowest and the highest slice
+    glm::vec3 heights_{0.0f};  // m above sea level, of the lowest and the highest slice and of the plane
     bool whole_ = true;
     int band_ = 0;
 };

@@ -6,6 +6,7 @@ namespace luftpost::render {
 namespace {
 constexpr glm::ivec2 kGroup{8, 8};
 constexpr unsigned kRayListBinding = 8;
+constexpr int kWidestBlock = 4;       // pixels; one of each whole block never asks, for it is marched
 constexpr unsigned kAskedShare = 16;  // one pixel in so many may ask for a ray of its own in a frame
 
 /// The head of CloudRayList: groups of two dispatches, the length of the list, the budget.
@@ -49,7 +50,7 @@ void CloudPass::takeStore(glm::ivec2 const& size) {
     if (scene_.leapt()) history_ = false;
     if (scene_.block().march.w > 1) {
         newest_ = 1 - newest_;
-        std::size_t const list = sizeof(RayListHead) + pixelCount(size) * sizeof(std::uint32_t);
+        std::size_t const list = sizeof(RayListHead) + (pixelCount(size) - pixelCount(size / kWidestBlock)) * sizeof(std::uint32_t);
         if (rays_.bytes() != list) rays_ = gl::Buffer{list, "cloud ray list"};
     }
     std::optional<Store>& store = stores_[static_cast<std::size_t>(newest_)];
@@ -96,7 +97,8 @@ void CloudPass::findAgain(FrameContext const& context) {
     (known ? older() : newest()).facts.bind(2);
     newest().facts.bind(3);
     gl::dispatchOver(context.targets.size, kGroup);
-    gl::barrier(gl::Barrier::all);
+    gl::barrier(gl::Barrier::image);
+    gl::barrier(gl::Barrier::indirect);
 }
 
 void CloudPass::marchAsked() {
@@ -105,7 +107,7 @@ void CloudPass::marchAsked() {
     gl::barrier(gl::Barrier::image);
     fillProgram_.use();
     gl::dispatchIndirect(rays_, offsetof(RayListHead, fillGroups));
-    gl::barrier(gl::Barrier::textureFetch);
+    gl::barrier(gl::Barrier::all);
 }
 
 void CloudPass::composite(FrameContext const& context) {

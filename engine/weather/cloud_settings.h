@@ -14,7 +14,7 @@ struct CloudSettings {
     float sigma = 1.0f;             // extinction, times that of the water
     float height = 0.0f;            // m, added to every base and top
     float powder = 0.0f;            // darkening of thin edges, 0 = none: the light needs no help
-    float rays = 0.0625f;           // share of the picture's rays marched each frame; 1: all, and no history
+    float rays = 0.0625f;           // share of the picture's rays marched each frame, at least; 1: all, and no history
     bool shadows = true;            // clouds darken ground, aircraft and air
     int noise = 1;                  // seed of the noise volumes; another one remakes them
 };
@@ -32,7 +32,7 @@ inline constexpr std::tuple cloudFields{
     core::Field{&CloudSettings::height, "clouds.height", -1000.0f, 3000.0f, "Metres added to every cloud's base and top"},
     core::Field{&CloudSettings::powder, "clouds.powder", 0.0f, 1.0f, "Darkening of thin edges, for the look of old games"},
     core::Field{&CloudSettings::rays, "clouds.rays", 0.0625f, 1.0f,
-                "Share of the picture's cloud rays marched each frame: 0.0625 or 1"},
+                "Share of the picture's cloud rays marched each frame, at least: 0.0625, 0.25 or 1; more of them where frames take long"},
     core::Field{&CloudSettings::shadows, "clouds.shadows", "Clouds darken the ground and the air"},
     core::Field{&CloudSettings::noise, "clouds.noise", 1, 1000, "Seed of the billows; another one remakes them"}};
 }  // namespace luftpost::weather

@@ -160,7 +160,12 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
     return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
 }
 
-const float kNearWay = 150.0;  // m: so far the way to the light is sampled, beyond it the grid knows
+/// m of a way to the light between two slices of the grids: the lower the light, the longer.
+float sliceWay(vec3 toward) {
+    return (clouds.depthHeights.y - clouds.depthHeights.x) / ((float(kDepthSlices) - 1.0) * max(toward.y, kLowestLight));
+}
+
+const float kNearWay = 100.0;  // m: so far at least the way to the light is sampled, beyond it the grid knows
 
 /// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
 /// holds; beyond the grids samples all the way. The nearest sees the billows, as blurred as its stretch is long; the others see
@@ -171,19 +176,19 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     vec2 onPlane = onDepthPlane(p, toward);
     int grid = clouds.depthHeights.w > 0.5 ? gridOver(onPlane) : 2;
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
-    if (grid < 2) leaves = min(leaves, kNearWay);
+    if (grid < 2) leaves = min(leaves, max(kNearWay, 0.7 * sliceWay(toward)));
     float blur = log2(max(first * (1.0 / 32.0), 2.0));
     float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
     float start = first;
     float stretch = 1.9 * first;
-    for (int i = 1; i < 9 && start < leaves && sum < 60.0; ++i) {
+    for (int i = 1; i < 6 && start < leaves && sum < 60.0; ++i) {
         if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
         sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
-        stretch *= i < 5 ? 1.9 : 3.0;
+        stretch *= i < 3 ? 1.9 : 3.0;
     }
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);
     return min(sum, 60.0);

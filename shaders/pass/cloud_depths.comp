@@ -7,6 +7,9 @@ uniform int firstRow;
 
 const float kLods[2] = float[2](3.0, 4.5);  // of the inner and the outer grid: as wide as their texels
 
+const float kLongestStep = 250.0;             // m along the way of a low light
+const int kMostSteps = 4;                     // between two slices
+
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
     int grid = int(gl_GlobalInvocationID.z);
@@ -17,14 +20,16 @@ void main() {
     onPlane -= place.w * round(onPlane * place.z);  // the one of its like that lies around the camera
     vec3 toward = keyLight().toward;
     float slope = max(toward.y, kLowestLight);
-    float apart = (clouds.depthHeights.y - clouds.depthHeights.x) / (float(kDepthSlices) - 1.0);
+    float way = sliceWay(toward);
+    int steps = clamp(int(ceil(way / kLongestStep)), 1, kMostSteps);
     int slice = grid * kDepthSlices + kDepthSlices - 1;
     float sum = 0.0;
     imageStore(depthGrid, ivec3(texel, slice), vec4(0.0));
-    for (int k = kDepthSlices - 2; k >= 0; --k) {
-        float y = clouds.depthHeights.x + (float(k) + 0.5) * apart;
+    for (int k = (kDepthSlices - 1) * steps - 1; k >= 0; --k) {
+        float share = (float(k) + 0.5) / (float(kDepthSlices - 1) * float(steps));
+        float y = mix(clouds.depthHeights.x, clouds.depthHeights.y, share);
         vec2 p = onPlane + toward.xz * ((y - clouds.depthHeights.z) / slope);
-        sum += cloudAt(vec3(p.x, y, p.y), kLods[grid]).extinction * apart / slope;
-        imageStore(depthGrid, ivec3(texel, --slice), vec4(min(sum, 60.0)));
+        sum += cloudAt(vec3(p.x, y, p.y), kLods[grid]).extinction * way / float(steps);
+        if (k % steps == 0) imageStore(depthGrid, ivec3(texel, --slice), vec4(min(sum, 60.0)));
     }
 }

@@ -39,8 +39,8 @@ struct Error {
 
 /// Luminance of each pixel.
 std::vector<double> luminances(assets::FloatImage const& image) {
-    std::vector<double> values(kPixels);
-    for (std::size_t i = 0; i < kPixels; ++i)
+    std::vector<double> values(image.values.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = static_cast<double>(sky::luminance({image.values[4 * i], image.values[4 * i + 1], image.values[4 * i + 2]}));
     return values;
 }
@@ -48,7 +48,7 @@ std::vector<double> luminances(assets::FloatImage const& image) {
 /// Mean difference over the mean, of the pixels that are meant; all when `meant` is empty.
 double difference(std::vector<double> const& few, std::vector<double> const& all, std::vector<bool> const& meant = {}) {
     double sum = 0.0, total = 0.0;
-    for (std::size_t i = 0; i < kPixels; ++i) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
         if (!meant.empty() && !meant[i]) continue;
         sum += std::abs(few[i] - all[i]);
         total += all[i];
@@ -143,6 +143,20 @@ public:
         }
         std::sort(shares.begin(), shares.end());
         return shares[kPixels * 99 / 100];
+    }
+
+    /// The error of the first frame whose picture has another size, per side, than those before; and that of a picture without
+    /// any before.
+    std::pair<double, double> resized(Eye const& eye, float from, float to) {
+        snapshot_.graphics.resolution = from;
+        settle(eye);
+        snapshot_.graphics.resolution = to;
+        std::vector<double> const all = picture(eye, 0.0);
+        draw(few_, eye, 0.0, false, kFewRays);
+        double const kept = difference(luminances(few_.readHdr()), all);
+        draw(few_, {eye.position + glm::dvec3{0.0, 4.0e5, 0.0}, eye.azimuth + core::kPi, 0.0}, 0.0, false, kFewRays);
+        draw(few_, eye, 0.0, false, kFewRays);
+        return {kept, difference(luminances(few_.readHdr()), all)};
     }
 
     /// Mean share of the picture that clouds cover.
@@ -277,6 +291,34 @@ TEST_F(Reprojection, IsWholeSixteenFramesAfterACut) {
     std::printf("after a cut: frame 1 %.1f %%, 4 %.1f %%, 8 %.1f %%, 16 %.2f %%\n", 100.0 * errors[0], 100.0 * errors[3], 100.0 * errors[7], 100.0 * errors[15]);
     EXPECT_LT(errors[15], 0.05);
     EXPECT_LT(errors[15], errors[0]);
+}
+
+/// The size that holds a frame rate may change at any time.
+TEST_F(Reprojection, KeepsWhatItKnowsWhenThePictureChangesItsSize) {
+    Flight flight{"preset:fair", false};
+    Eye const eye{{0.0, flight.ground() + 300.0, 0.0}, 1.9, core::radians(15.0)};
+    for (auto const& [from, to] : {std::pair{1.0f, 0.75f}, std::pair{0.75f, 1.0f}}) {
+        auto const [kept, fresh] = flight.resized(eye, from, to);
+        std::printf("size %.2f -> %.2f: %.1f %%, without what was known %.1f %%\n", static_cast<double>(from), static_cast<double>(to), 100.0 * kept, 100.0 * fresh);
+        EXPECT_LT(kept, 0.04);
+        EXPECT_LT(kept, fresh);
+    }
+}
+
+TEST_F(Reprojection, SkyTakesNoMoreThanItsMemory) {
+    weather::Field const field = weather::loadWeather("preset:fair");
+    render::Snapshot snapshot;
+    snapshot.field = &field;
+    snapshot.place = field.place();
+    snapshot.time = *core::parseUtc("2023-06-21T10:30Z");
+    snapshot.sky = sky::skyState(snapshot.place, snapshot.time);
+    snapshot.weather = field.at(0.0, 0.0, snapshot.time);
+    snapshot.drawTerrain = false;
+    render::Renderer renderer{{.size = {1920, 1080}}};
+    for (int i = 0; i < 2; ++i) renderer.draw(snapshot);
+    std::printf("sky at 1920 x 1080: %.1f MB\n", 1e-6 * static_cast<double>(renderer.skyBytes()));
+    EXPECT_LE(renderer.skyBytes(), 96'000'000u);
+    EXPECT_GT(renderer.skyBytes(), 2u * 16u * 1920u * 1080u);  // light and facts, now and before
 }
 
 TEST_F(Reprojection, DoesNotFlickerAtRest) {
