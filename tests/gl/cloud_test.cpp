@@ -131,8 +131,8 @@ TEST_F(CloudTest, ASixteenthOfTheRaysComesToThePictureOfAll) {
         difference += static_cast<double>(std::abs(all.values[i] - few.values[i]));
         sum += static_cast<double>(all.values[i]);
     }
-    EXPECT_LT(difference / sum, 0.04);  // 0.029 measured: at 96 x 54 the random offsets of the rays still show
-    EXPECT_NEAR(meanAlpha(all), meanAlpha(few), 0.03);
+    EXPECT_LT(difference / sum, 0.002);  // the same rays; half floats
+    EXPECT_NEAR(meanAlpha(all), meanAlpha(few), 0.001);
 }
 }  // namespace
 }  // namespace luftpost::test
