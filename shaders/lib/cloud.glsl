@@ -30,13 +30,12 @@ GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
 // What is found at a point: extinction in 1/m; where there is none, about how far the nearest face is, m; and what the
-// light asks for, as optical depths: how deep it lies below the nearest face, how large the cloud is around it, how wide
-// it is in the plane, and how much of it stands above and below.
+// light asks for, as optical depths: how deep it lies below the nearest face, how wide the cloud around it is in the
+// plane, and how much of it stands above and below.
 struct CloudSample {
     float extinction;
     float outside;
     float depth;
-    float bulk;
     float wide;
     float above;
     float below;
@@ -47,7 +46,6 @@ GLSL_FUNCTION CloudSample noCloud() {
     none.extinction = 0.0f;
     none.outside = 1.0e6f;
     none.depth = 0.0f;
-    none.bulk = 0.0f;
     none.wide = 0.0f;
     none.above = 0.0f;
     none.below = 0.0f;
@@ -215,7 +213,6 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     inside = max(inside, 0.0f);
     result.depth = full * inside;
     result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x;
-    result.bulk = min(full * max(e.high - e.low, 0.0f), result.wide);
     float crease = 0.35f * carve + 0.9f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
     result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);
@@ -298,7 +295,6 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampl
     inside = max(inside, 0.0f);
     result.depth = ice * inside;
     result.wide = ice * 2.0f * max(margin, 0.0f) * s.body.x;
-    result.bulk = min(ice * (high - low), result.wide);
     result.above = 0.8f * ice * max(high - above, 0.0f);
     result.below = 0.8f * ice * max(above - low, 0.0f);
     result.extinction = edge * ice;
@@ -312,7 +308,6 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
     if (b.extinction <= 0.0f) return sum;
     float share = b.extinction / (a.extinction + b.extinction);
     sum.depth = max(a.depth, b.depth);
-    sum.bulk = max(a.bulk, b.bulk);
     sum.wide = max(a.wide, b.wide);
     sum.above = mix(a.above, b.above, share);
     sum.below = mix(a.below, b.below, share);

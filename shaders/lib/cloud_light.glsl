@@ -11,7 +11,7 @@
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
 //     leaks out.
-// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on three of its eight
+// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on five of its nine
 // scenes. All phase functions hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
 #define LUFTPOST_CLOUD_LIGHT_GLSL
@@ -46,27 +46,28 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kFewTurns = 0.91f;
-GLSL_CONST float kFewLobe = 0.7f;      // asymmetry
-GLSL_CONST float kFewFade = 0.5f;
-GLSL_CONST float kManyTurns = 1.77f;
-GLSL_CONST float kManyFront = 0.5f;    // light comes in on other ways than the straight one: the depth of the face counts half
-GLSL_CONST float kManySides = 6.0f;    // loss through the sides, per depth over width
+GLSL_CONST float kFewTurns = 1.69f;
+GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
+GLSL_CONST float kFewFade = 0.6f;
+GLSL_CONST float kManyTurns = 0.68f;
+GLSL_CONST float kManyFront = 0.4f;    // light comes in on other ways than the straight one: the depth of the face counts less
+GLSL_CONST float kManySides = 4.0f;    // loss through the sides, by depth over width
 GLSL_CONST float kManyLeak = 0.8f;     // near a face
 GLSL_CONST float kManyLeakFade = 1.3f;
-GLSL_CONST float kFromAbove = 0.36f;
-GLSL_CONST float kFromBelow = 1.21f;
+GLSL_CONST float kFromAbove = 0.64f;
+GLSL_CONST float kFromBelow = 0.76f;
 
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
-// `depth` (optical) below the nearest face of a cloud `bulk` large and `wide` across (optical, both). `powder` darkens thin edges
+// `depth` (optical) below the nearest face of a cloud `along` deep the light's way and `wide` across it (optical, both). `powder` darkens thin edges
 // beyond what physics does (0: none).
-GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float bulk, float wide, float powder) {
+GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float along, float wide, float powder) {
     float s = 1.0f - meanCosine(g);
     float once = cloudPhase(cosine, g) * exp(-toLight);
-    float few = kFewTurns * (1.0f - diffused(bulk, s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
-    float sides = exp(-kManySides * toLight / (wide + 2.0f));
+    float few = kFewTurns * (1.0f - diffused(min(along, wide), s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
+    float narrow = kManySides * toLight / (wide + 2.0f);
+    float sides = 1.0f / (1.0f + narrow * narrow);
     float leak = 1.0f - kManyLeak * exp(-kManyLeakFade * s * depth);
-    float inside = meanInside(kManyFront * toLight, max(bulk - toLight, 0.0f), s) - 2.0f * exp(-s * toLight);
+    float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - 2.0f * exp(-s * toLight);
     float many = kManyTurns * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }

@@ -103,7 +103,9 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod
     vec3 light = vec3(0.0);
     if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
         float toLight = depthToward(p, toward, first, lod) + overhead.sheets;
-        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, here.bulk, here.wide, clouds.light.y);
+        // The light's way through the cloud is its height when it comes from above, its width when it comes along the plane.
+        float up = abs(toward.y), height = here.above + here.below;
+        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
     }
     return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
 }

@@ -52,7 +52,6 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     near.extinction = mix(near.extinction, far, coarse);
     float h = (p.y - column.base) / (column.top - column.base);
     near.depth = mix(near.depth, 0.5, coarse);
-    near.bulk = mix(near.bulk, 15.0, coarse);
     near.wide = mix(near.wide, 30.0, coarse);
     near.above = mix(near.above, 8.0 * (1.0 - h), coarse);
     near.below = mix(near.below, 8.0 * h, coarse);
@@ -80,7 +79,6 @@ CloudSample cloudOf(int bits, vec3 p, float lod) {
         if (one.extinction <= 0.0) continue;
         float share = one.extinction / (sum.extinction + one.extinction);
         sum.depth = max(sum.depth, one.depth);
-        sum.bulk = max(sum.bulk, one.bulk);
         sum.wide = max(sum.wide, one.wide);
         sum.above = mix(sum.above, one.above, share);
         sum.below = mix(sum.below, one.below, share);

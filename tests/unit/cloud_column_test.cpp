@@ -294,10 +294,20 @@ TEST(CloudLight, PhaseFunctionsIntegrateToOne) {
     }
 }
 
-TEST(CloudLight, LeavesShadedBasesAQuarterToAnEighthOfSunlitSides) {
-    float const side = glsl::litByBeam(0.0f, 0.85f, 0.5f, 6.0f, 60.0f, 60.0f, 0.0f);
-    float const base = glsl::litByBeam(0.0f, 0.85f, 55.0f, 6.0f, 60.0f, 60.0f, 0.0f);
-    EXPECT_GT(side / base, 4.0f);
-    EXPECT_LT(side / base, 8.5f);
+TEST(CloudLight, LeavesTheDarkFaceOfASlabAFewthOfTheLitOneAndOfANarrowCloudLess) {
+    auto const lit = [](float toLight, float wide) { return glsl::litByBeam(0.0f, 0.85f, toLight, 6.0f, 60.0f, wide, 0.0f); };
+    EXPECT_GT(lit(0.5f, 600.0f) / lit(55.0f, 600.0f), 4.0f);
+    EXPECT_LT(lit(0.5f, 600.0f) / lit(55.0f, 600.0f), 16.0f);
+    EXPECT_GT(lit(55.0f, 600.0f), 3.0f * lit(55.0f, 60.0f));
+    for (float t = 0.0f; t < 50.0f; t += 5.0f) EXPECT_GT(lit(t + 0.5f, 100.0f), lit(t + 5.5f, 100.0f));
+}
+
+// Between two faces that absorb nothing the mean radiance falls evenly; without a slab it is that of the light that falls in.
+TEST(CloudLight, FallsEvenlyInASlab) {
+    float const s = 0.2f;
+    EXPECT_EQ(glsl::meanInside(0.0f, 0.0f, s), 2.0f);
+    EXPECT_NEAR(glsl::meanInside(0.0f, 1.0e5f, s), 4.0f, 1e-3f);
+    EXPECT_NEAR(glsl::meanInside(10.0f, 10.0f, s), 0.5f * (glsl::meanInside(0.0f, 20.0f, s) + glsl::meanInside(20.0f, 0.0f, s)), 1e-5f);
+    EXPECT_NEAR(glsl::meanInside(20.0f, 0.0f, s), 2.0f * glsl::diffused(20.0f, s), 1e-6f);
 }
 }  // namespace
