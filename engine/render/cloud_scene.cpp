@@ -13,6 +13,7 @@ namespace luftpost::render {
 namespace {
 constexpr unsigned kMapUnit = 10, kShapeUnit = 11, kDetailUnit = 12, kCurlUnit = 13;
 constexpr int kTileBudget = 2;          // tiles uploaded a frame, half a megabyte each
+constexpr int kStillSteps = 192;       // at least: a still may look far through tall clouds
 constexpr float kShortestStep = 26.0f;  // m
 constexpr float kStepPerDistance = 0.014f;
 constexpr float kReach = 390'000.0f;    // m: the horizon of 12 km
@@ -120,7 +121,7 @@ void CloudScene::fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber) 
     if (!all) blocks_.note(snapshot.frameSeconds, std::abs(weatherSeconds));
     int const side = all ? 1 : blocks_.side(blockSide(snapshot.clouds.rays));
     block_.light = {snapshot.clouds.hg, snapshot.clouds.powder, snapshot.clouds.shadows ? 1.0f : 0.0f, 0.0f};
-    block_.march = {block_.march.x, snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % static_cast<std::uint64_t>(side * side)), side};
+    block_.march = {block_.march.x, snapshot.still ? std::max(snapshot.graphics.cloudSteps, kStillSteps) : snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % static_cast<std::uint64_t>(side * side)), side};
     block_.step = {kShortestStep, kStepPerDistance, kReach, static_cast<float>(weatherSeconds)};
 }
 

@@ -214,7 +214,7 @@ float outlineBetween(float outside, float inside, int layers, vec3 direction, fl
 bool findOutline(vec3 direction, float h, inout Walk walk) {
     bool found = false;
     while (!found && walk.t < walk.end && walk.left > 0) {
-        walk.left -= 3;
+        --walk.left;  // a third of a full one's price
         found = cloudMayBeOf(walk.layers, placeAt(direction, walk.t, h));
         if (found) break;
         walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);

@@ -10,6 +10,7 @@ layout(binding = 12) uniform sampler3D cloudDetailNoise;
 layout(binding = 13) uniform sampler3D cloudCurlNoise;
 layout(binding = 16) uniform sampler3D cloudDepthGrid;   // optical depth toward the light, two grids of slices one upon the other
 
+const float kDeepest = 1000.0;        // optical depth toward a light that counts as all: more than a cumulonimbus has
 const int kDepthSlices = 32;        // of each grid
 const float kLowestLight = 0.06;    // sine of the elevation: a lower light is taken to stand here
 
@@ -179,7 +180,7 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
     float start = first;
     float stretch = 1.9 * first;
-    for (int i = 1; i < 6 && start < leaves && sum < 60.0; ++i) {
+    for (int i = 1; i < 6 && start < leaves && sum < kDeepest; ++i) {
         if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
@@ -189,6 +190,6 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         stretch *= i < 3 ? 1.9 : 3.0;
     }
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);
-    return min(sum, 60.0);
+    return min(sum, kDeepest);
 }
 #endif

@@ -30,6 +30,6 @@ void main() {
         float y = mix(clouds.depthHeights.x, clouds.depthHeights.y, share);
         vec2 p = onPlane + toward.xz * ((y - clouds.depthHeights.z) / slope);
         sum += cloudAt(vec3(p.x, y, p.y), kLods[grid]).extinction * way / float(steps);
-        if (k % steps == 0) imageStore(depthGrid, ivec3(texel, --slice), vec4(min(sum, 60.0)));
+        if (k % steps == 0) imageStore(depthGrid, ivec3(texel, --slice), vec4(min(sum, kDeepest)));
     }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct Scene {
     std::string name, weather, time, look, fov, eye;
     double mean, bias, worst;  // bounds of Agreement that are held: what is asked (0.10, 0.05, 0.30), or what is reached
 };
+
+void PrintTo(Scene const& scene, std::ostream* out) { *out << scene.name; }
 
 /// The rows of scenes.csv; a field in quotes may hold commas.
 std::vector<Scene> scenes() {
