@@ -91,6 +91,12 @@ Flight freeFlight(StretchAt const& stretchAt, PathRay const& ray, double from, d
     return {limit, 0.0f, false};
 }
 
+/// What a way carries at most in one colour, whatever its sign: bounds that are broken turn weights negative.
+inline float most(glm::vec3 const& weight) {
+    glm::vec3 const size = glm::abs(weight);
+    return std::max(size.x, std::max(size.y, size.z));
+}
+
 /// Kills ways that carry little, and lets the rest carry theirs: false where the way ends.
 inline bool survives(float weight, float least, glm::vec3& carried, core::Random& random) {
     if (weight >= least) return true;
@@ -172,14 +178,13 @@ Meeting nextMeeting(Medium const& medium, EyePath& path, core::Random& random) {
     constexpr float kLeast = 0.25f;
     auto const stretches = [&](PathRay const& ray, double from) { return medium.stretchAt(ray, from); };
     double const limit = medium.surface(path.ray);
-    float const least = std::min(kLeast, std::max(path.weight.x, std::max(path.weight.y, path.weight.z)));
+    float const least = std::min(kLeast, most(path.weight));  // a look that set out with little is not cut down for it
     Flight flight = freeFlight(stretches, path.ray, 0.0, limit, random);
     while (flight.collided) {
         glm::dvec3 const place = path.ray.at(flight.distance);
         auto const event = collision(medium.at(place), flight.majorant, path.weight, random);
         path.weight *= event.weight;
-        glm::vec3 const size = glm::abs(path.weight);
-        if (!survives(std::max(size.x, std::max(size.y, size.z)), least, path.weight, random)) return {};
+        if (!survives(most(path.weight), least, path.weight, random)) return {};
         if (event.kind >= 0) return {event.kind, false, place};
         flight = freeFlight(stretches, path.ray, flight.distance, limit, random);
     }
@@ -195,7 +200,11 @@ void gatherSun(Medium const& medium, EyePath& path, glm::dvec3 const& place, Pha
     path.light += path.weight * sun.irradiance * (path.share * phaseAt(sun.toward));
 }
 
-inline constexpr float kSunwardLobe = 0.85f;  // asymmetry of the lobe around the sun that lookToSun draws from
+/// The lobe around the sun that lookToSun draws from.
+inline Phase const& sunwardLobe() {
+    static Phase const lobe = Phase::henyeyGreenstein(0.85f);
+    return lobe;
+}
 
 /// Droplets scatter forward so much that a way which happens to run toward the sun gathers a hundred times the mean: rare, and
 /// so noise. A second draw, from a lobe around the sun, makes such ways often and each of them small; the two share what they
@@ -204,10 +213,9 @@ inline constexpr float kSunwardLobe = 0.85f;  // asymmetry of the lobe around th
 template <class Medium>
 void lookToSun(Medium const& medium, EyePath& path, glm::dvec3 const& place, Phase const& phase, glm::dvec3 const& toSun, core::Random& random) {
     constexpr float kLeast = 0.1f;
-    static Phase const lobe = Phase::henyeyGreenstein(kSunwardLobe);
-    glm::dvec3 const direction = turned(toSun, lobe.draw(random), random);
+    glm::dvec3 const direction = turned(toSun, sunwardLobe().draw(random), random);
     float const straight = phase.at(static_cast<float>(glm::dot(path.ray.direction, direction)));
-    float const share = straight / (straight + lobe.at(static_cast<float>(glm::dot(direction, toSun))));
+    float const share = straight / (straight + sunwardLobe().at(static_cast<float>(glm::dot(direction, toSun))));
     EyePath look{{place, direction}, glm::vec3{0.0f}, path.weight * share, path.turns + 1, 1.0f};
     if (!survives(share, kLeast, look.weight, random)) return;
     Meeting const meeting = nextMeeting(medium, look, random);
@@ -228,7 +236,7 @@ void turnAtParticle(Medium const& medium, EyePath& path, Meeting const& meeting,
     if (auto const toSun = medium.toSun()) {
         lookToSun(medium, path, meeting.place, phase, *toSun, random);
         float const straight = phase.at(static_cast<float>(glm::dot(path.ray.direction, direction)));
-        path.share = straight / (straight + Phase::henyeyGreenstein(kSunwardLobe).at(static_cast<float>(glm::dot(direction, *toSun))));
+        path.share = straight / (straight + sunwardLobe().at(static_cast<float>(glm::dot(direction, *toSun))));
     }
     path.ray = {meeting.place, direction};
 }
@@ -239,7 +247,7 @@ bool turnAtFace(Medium const& medium, EyePath& path, glm::dvec3 const& place, co
     constexpr float kLeast = 0.25f;
     MediumFace const face = medium.face(place);
     path.weight *= face.albedo;
-    if (!survives(std::max(path.weight.x, std::max(path.weight.y, path.weight.z)), kLeast, path.weight, random)) return false;
+    if (!survives(most(path.weight), kLeast, path.weight, random)) return false;
     path.share = 1.0f;
     gatherSun(medium, path, place, [&](glm::dvec3 const& toward) { return static_cast<float>(std::max(glm::dot(face.normal, toward), 0.0) / core::kPi); }, random);
     path.ray = {place, lambertian(face.normal, random)};

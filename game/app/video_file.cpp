@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -86,6 +87,7 @@ void VideoFile::add(assets::Image const& picture) {
     std::size_t left = picture.values.size();
     while (left > 0) {
         ssize_t const written = write(pipe_, from, left);
+        if (written < 0 && errno == EINTR) continue;
         if (written < 0) fail("ffmpeg ended before the film did");
         from += written;
         left -= static_cast<std::size_t>(written);
@@ -97,7 +99,9 @@ void VideoFile::finish() {
     int status = 0;
     waitpid(std::exchange(child_, -1), &status, 0);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail("ffmpeg could not write it");
-    fs::rename(part_, file_);
+    std::error_code refused;
+    fs::rename(part_, file_, refused);
+    if (refused) fail("the film could not be put in its place");
 }
 
 void VideoFile::fail(char const* expected) const { throw core::Error{file_.string(), "", expected}; }

@@ -5,8 +5,8 @@
 //
 // MODEL. Three parts, all in radiance per unit of irradiance of the light.
 //   - Scattered once: the phase function times exp(-depth). It makes the silver rim.
-//   - Scattered a few times: it still runs forward, broader, through a cloud that looks thinner the less the turns
-//     count: an octave after Wrenninge (2013).
+//   - Scattered a few times: nearly even, through a cloud that looks thinner the less the turns count: an octave after
+//     Wrenninge (2013).
 //   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
