@@ -1,16 +1,13 @@
 // A seeded mutator over the decoders of model and station data: whatever comes, it is refused in one line or it is a recording that can
-// be saved and read again. LUFTPOST_FUZZ_INPUTS sets how many inputs each decoder gets, LUFTPOST_FUZZ_SECONDS how long it may take,
-// LUFTPOST_FUZZ_SEED the seed.
+// be saved and read again.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdlib>
 #include <functional>
-#include <random>
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/weather/source.h"
+#include "tests/fuzz/mutator.h"
 #include "tests/unit/grib_maker.h"
 #include "tests/unit/grib_repack.h"
 #include "tests/unit/source_files.h"
@@ -19,68 +16,11 @@ using namespace luftpost;
 using namespace luftpost::weather;
 
 namespace {
-std::size_t setting(char const* name, std::size_t usual) {
-    char const* text = std::getenv(name);
-    return text ? static_cast<std::size_t>(std::strtoull(text, nullptr, 10)) : usual;
-}
-
-using Random = std::mt19937_64;
-std::size_t below(Random& random, std::size_t bound) { return bound == 0 ? 0 : random() % bound; }
-
 /// What stands for a number, a word or a piece of structure.
-constexpr char const* kPieces[] = {"null",
-                                   "-1",
-                                   "1e308",
-                                   "-1e308",
-                                   "1e-300",
-                                   "NaN",
-                                   "\"\"",
-                                   "[]",
-                                   "{}",
-                                   "true",
-                                   "0",
-                                   "999999999999999999999",
-                                   "\"2024-01-16T09:00\"",
-                                   "1705395600",
-                                   ";",
-                                   ",",
-                                   "\n",
-                                   "-",
-                                   "\"",
-                                   "}",
-                                   "]",
-                                   "9",
-                                   "99.9",
-                                   "\xff",
-                                   "inf",
-                                   "hPa",
-                                   "202306210010"};
-
-void replaceNumber(std::string& bytes, Random& random) {
-    constexpr std::string_view kDigits = "0123456789.-";
-    std::size_t const from = bytes.find_first_of(kDigits, below(random, bytes.size()));
-    if (from == bytes.npos) return;
-    std::size_t const end = std::min(bytes.find_first_not_of(kDigits, from), bytes.size());
-    bytes.replace(from, end - from, kPieces[below(random, std::size(kPieces))]);
-}
-
-void mutateOnce(std::string& bytes, std::string const& other, Random& random, bool binary) {
-    if (bytes.empty()) return;
-    std::size_t const at = below(random, bytes.size()), length = 1 + below(random, std::min<std::size_t>(bytes.size() - at, 1 + below(random, 40)));
-    switch (below(random, binary ? 7 : 10)) {
-        case 0: bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(random, 8))); break;
-        case 1: bytes[at] = static_cast<char>(random()); break;
-        case 2: bytes.erase(at, length); break;
-        case 3: bytes.insert(at, bytes.substr(below(random, bytes.size()), length)); break;
-        case 4: bytes.resize(at); break;
-        case 5: bytes = bytes.substr(0, at) + other.substr(std::min(at, other.size())); break;
-        case 6:
-            for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) bytes[at + i] = below(random, 2) ? '\xff' : '\0';
-            break;
-        case 7: bytes.replace(at, length, kPieces[below(random, std::size(kPieces))]); break;
-        default: replaceNumber(bytes, random);
-    }
-}
+std::vector<std::string> const kPieces{
+    "null", "-1", "1e308", "-1e308", "1e-300", "NaN", "\"\"", "[]", "{}", "true", "0", "999999999999999999999",
+    "\"2024-01-16T09:00\"", "1705395600", ";", ",", "\n", "-", "\"", "}", "]", "9", "99.9", "\xff", "inf", "hPa",
+    "202306210010"};
 
 /// Refused in one line, or taken and the same after it was saved.
 bool takes(std::string const& bytes, SourceContext const& context, std::function<Recording(std::string const&, SourceContext const&)> const& parse) {
@@ -96,30 +36,13 @@ bool takes(std::string const& bytes, SourceContext const& context, std::function
     }
 }
 
-struct Score {
-    std::size_t taken = 0, tried = 0;
-};
-
-Score fuzz(std::vector<std::string> const& seeds, std::size_t inputs, bool binary) {
-    Random random{setting("LUFTPOST_FUZZ_SEED", 1)};
+void fuzz(std::vector<std::string> const& samples, test::Mutator::Kind kind) {
     SourceContext const context{.latest = 1.7e9, .place = PlaceWish{47.2, 7.9, {}}};
-    auto const parse = [](std::string const& bytes, SourceContext const& its) { return parseSource(bytes, "fuzz", its); };
-    Score score;
-    auto const end = std::chrono::steady_clock::now() + std::chrono::seconds{setting("LUFTPOST_FUZZ_SECONDS", 36000)};
-    for (; score.tried < inputs && std::chrono::steady_clock::now() < end && !testing::Test::HasFailure(); ++score.tried) {
-        std::string bytes = seeds[below(random, seeds.size())];
-        for (auto n = 1 + below(random, 4); n-- > 0;) mutateOnce(bytes, seeds[below(random, seeds.size())], random, binary);
-        score.taken += takes(bytes, context, parse);
-        if (testing::Test::HasFailure()) core::writeFileAtomically("fuzz_failure.bin", bytes);
-    }
-    for (std::string const& seed : seeds) EXPECT_TRUE(takes(seed, context, parse)) << seed.substr(0, 200);
-    return score;
-}
-
-void expectBoth(Score const& score) {
-    EXPECT_GT(score.taken, score.tried / 100) << "mutants that are still weather";
-    EXPECT_LT(score.taken, score.tried * 99 / 100);
-    std::printf("%zu of %zu inputs were taken\n", score.taken, score.tried);
+    auto const taken = [&](std::string const& bytes) {
+        return takes(bytes, context, [](std::string const& b, SourceContext const& its) { return parseSource(b, "fuzz", its); });
+    };
+    for (std::string const& sample : samples) EXPECT_TRUE(taken(sample)) << sample.substr(0, 200);
+    test::expectBoth(test::fuzz({samples, kPieces, kind}, taken));
 }
 
 std::string const kOpenMeteo =
@@ -169,15 +92,11 @@ std::vector<std::string> gribSeeds() {
 }
 }  // namespace
 
-TEST(FuzzSources, MutantsOfModelsInJsonAreRefusedOrReadNeverACrash) {
-    expectBoth(fuzz({kOpenMeteo, kMeteoblue}, setting("LUFTPOST_FUZZ_INPUTS", 20000), false));
-}
+TEST(FuzzSources, MutantsOfModelsInJsonAreRefusedOrReadNeverACrash) { fuzz({kOpenMeteo, kMeteoblue}, test::Mutator::Kind::text); }
 
-TEST(FuzzSources, MutantsOfStationTablesAreRefusedOrReadNeverACrash) {
-    expectBoth(fuzz({kTenMinutes, kObserver, kSounding}, setting("LUFTPOST_FUZZ_INPUTS", 20000), false));
-}
+TEST(FuzzSources, MutantsOfStationTablesAreRefusedOrReadNeverACrash) { fuzz({kTenMinutes, kObserver, kSounding}, test::Mutator::Kind::text); }
 
-TEST(FuzzSources, MutantsOfGribAreRefusedOrReadNeverACrash) { expectBoth(fuzz(gribSeeds(), setting("LUFTPOST_FUZZ_INPUTS", 2000), true)); }
+TEST(FuzzSources, MutantsOfGribAreRefusedOrReadNeverACrash) { fuzz(gribSeeds(), test::Mutator::Kind::binary); }
 
 TEST(FuzzSources, HostileBodiesAreRefusedBeforeTheyFillTheMemory) {
     SourceContext const context{.latest = 1.7e9};
