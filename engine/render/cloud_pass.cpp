@@ -29,7 +29,8 @@ CloudPass::CloudPass(gl::ProgramLibrary& programs)
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
       shadow_{programs},
-      depths_{programs} {}
+      depths_{programs},
+      shade_{programs} {}
 
 void CloudPass::describe(Snapshot const& snapshot) {
     scene_.update(snapshot, frame_++);
@@ -44,6 +45,8 @@ void CloudPass::prepare(FrameContext const& context) {
     shadow_.bind();
     depths_.draw(scene_);
     depths_.bind();
+    shade_.draw(context, scene_);
+    shade_.bind();
 }
 
 void CloudPass::takeStore(glm::ivec2 const& size) {
@@ -125,7 +128,7 @@ gl::Texture2D const* CloudPass::facts() const {
 }
 
 std::size_t CloudPass::screenBytes() const {
-    std::size_t sum = shadow_.bytes() + depths_.bytes();
+    std::size_t sum = shadow_.bytes() + depths_.bytes() + shade_.bytes();
     for (std::optional<Store> const& store : stores_)
         if (store) sum += store->light.bytes() + store->facts.bytes();
     return sum + rays_.bytes();

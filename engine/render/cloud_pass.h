@@ -7,6 +7,7 @@
 #include "engine/gl/buffer.h"
 #include "engine/gl/program_library.h"
 #include "engine/gl/texture.h"
+#include "engine/render/air_shade.h"
 #include "engine/render/cloud_depths.h"
 #include "engine/render/cloud_scene.h"
 #include "engine/render/cloud_shadow.h"
@@ -61,6 +62,7 @@ private:
     CloudScene scene_;
     CloudShadow shadow_;
     CloudDepths depths_;
+    AirShade shade_;
     std::array<std::optional<Store>, 2> stores_;
     gl::Buffer rays_;                // CloudRayList of lib/cloud_rays.glsl
     std::uint64_t frame_ = 0;

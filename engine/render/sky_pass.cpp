@@ -33,7 +33,7 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
       multiple_{gl::Format::rgba32f, kMultipleSize, 1, "sky multiple scattering"},
       view_{gl::Format::rgba32f, kViewSize, 1, "sky view"},
       aerial_{gl::Format::rgba32f, kAerialSize, 1, "aerial radiance"},
-      aerialThrough_{gl::Format::rgba32f, kAerialSize, 1, "aerial transmittance"},
+      aerialThrough_{gl::Format::rgba16f, kAerialSize, 1, "aerial transmittance"},
       buffer_{sizeof(glsl::SkyBlock), "sky block"} {
     // The azimuth wraps; the shaders keep the other coordinates inside.
     view_.setSampling(gl::Filter::linear, gl::Filter::linear, gl::Wrap::repeat);

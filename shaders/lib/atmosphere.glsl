@@ -274,20 +274,29 @@ GLSL_CONST float kAgainLobe = 0.4f;
 GLSL_CONST float kLevelMore = 1.14f;
 GLSL_CONST float kUprightLess = 0.38f;
 
+/// Share of the altitude h that counts as under the clouds; inside them one sees cloud, no air.
+GLSL_FUNCTION float underClouds(Atmosphere air, float h) { return 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h); }
+
+/// Share of the direct light that reaches altitude h in the mean over the land.
+GLSL_FUNCTION float directShare(Atmosphere air, float h) { return mix(1.0f, air.cover.y, underClouds(air, h)); }
+
+/// Direct light that one metre of air sends along a ray, nothing in its way.
+GLSL_FUNCTION vec3 scatteredOnce(AirAt here, sampler2D transmittance, vec2 size, float h, float muLight, float nu) {
+    vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
+    return (here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu)) * light;
+}
+
 /// Radiance that one metre at height h sends along a ray, before the way back: scattered once and many times. Under
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
                             AirAt here, float h, float mu, float muLight, float nu) {
-    float below = 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h);  // inside them one sees cloud, no air
-    float direct = mix(1.0f, air.cover.y, below);
-    vec3 once = here.rayleigh * rayleighPhase(nu) + here.haze * hazePhase(nu);
-    vec3 light = lightThroughAir(transmittance, size, h, muLight, 0.00465f);
     vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
     float again = mix(1.0f, 4.0f * kAirPi * lobePhase(nu, kAgainLobe), kAgainShare);
     float level = kLevelMore - kUprightLess * max(mu, 0.0f);
     vec3 open = psi * (here.rayleigh + here.haze * again) * level;
     vec3 under = vec3(air.under) * (here.rayleigh + here.haze);
-    return once * light * direct + mix(open, under, vec3(below * air.under.w));
+    return scatteredOnce(here, transmittance, size, h, muLight, nu) * directShare(air, h) +
+           mix(open, under, vec3(underClouds(air, h) * air.under.w));
 }
 
 /// Adds the air between distances `start` and `end` of the ray to `sum`. The source is constant in the step, and its
@@ -399,6 +408,22 @@ GLSL_FUNCTION vec3 aerialCoordinate(vec3 size, float h, vec3 direction, vec3 sun
     return vec3(azimuthCoordinate(azimuthFrom(direction, sun)), clamp(y, 0.5f / size.y, 1.0f - 0.5f / size.y),
                 (share * (size.z - 1.0f) + 0.5f) / size.z);
 }
+
+// Table five: by what share the clouds' shade dims the air's light, by direction and distance, in the two coordinates of the others;
+// its last slice is that of the whole sky.
+GLSL_CONST float kShadeReach = 44000.0f;  // m: so far the grids of optical depth know the clouds
+
+/// Distance of slice k of the table's n - 1: its square root is spaced evenly.
+GLSL_FUNCTION float shadeDistance(float slice, float slices) {
+    float share = slice / (slices - 2.0f);
+    return kShadeReach * share * share;
+}
+
+/// Third coordinate of a distance, and of the sky.
+GLSL_FUNCTION float shadeCoordinate(float slices, float distance) {
+    return (sqrt(clamp(distance / kShadeReach, 0.0f, 1.0f)) * (slices - 2.0f) + 0.5f) / slices;
+}
+GLSL_FUNCTION float shadeOfSky(float slices) { return (slices - 0.5f) / slices; }
 
 GLSL_END
 #endif

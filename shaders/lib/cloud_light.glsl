@@ -57,6 +57,10 @@ GLSL_CONST float kManyLeakFade = 1.3f;
 GLSL_CONST float kFromAbove = 0.64f;
 GLSL_CONST float kFromBelow = 0.76f;
 
+// Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
+// beam and is not taken out.
+GLSL_FUNCTION float beamBehind(float depth) { return exp(-0.35f * depth); }
+
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
 // `depth` (optical) below the nearest face of a cloud `along` deep the light's way and `wide` across it (optical, both). `powder` darkens thin edges
 // beyond what physics does (0: none).

@@ -56,18 +56,6 @@ vec3 inFlatFrame(vec3 toward, vec3 direction, vec3 flatPlace) {
     return normalize(vec3(toward.xz - ahead * toward.y * arc, up).xzy);
 }
 
-/// The light that clouds are lit by: the sun, or the moon once the sun gives less.
-struct KeyLight {
-    vec3 toward;      // world, unit
-    vec3 above;       // irradiance above the air
-    float radius;
-};
-KeyLight keyLight() {
-    bool sunlit = sky.lights.sun.y > kSunGivesWay;
-    return sunlit ? KeyLight(sky.lights.sun.xyz, sky.lights.sunLight.rgb, sky.lights.sun.w)
-                  : KeyLight(sky.lights.moon.xyz, sky.lights.moonLight.rgb, sky.lights.moon.w);
-}
-
 /// Light of the upper and the lower half of the sphere at altitude `y`, mean radiances.
 void diffuseAt(float y, float mu, vec3 above, out vec3 fromAbove, out vec3 fromBelow) {
     vec2 size = vec2(textureSize(skyMultipleTable, 0));

@@ -17,9 +17,7 @@ float cloudShadow(vec3 place) {
     vec2 border = abs(uv - 0.5) * 2.0;
     float outside = smoothstep(0.85, 0.98, max(border.x, border.y));
     vec2 shadow = textureLod(cloudShadowMap, uv, 0.0).rg;
-    // Light scattered but a few degrees still falls like a beam: it is not taken out.
-    float through = exp(-0.35 * shadow.x);
-    through = mix(through, 1.0, clamp((place.y - shadow.y) / 600.0 + 0.5, 0.0, 1.0));
+    float through = mix(beamBehind(shadow.x), 1.0, clamp((place.y - shadow.y) / 600.0 + 0.5, 0.0, 1.0));
     return mix(through, frame.sunIrradiance.w, outside);
 }
 #endif

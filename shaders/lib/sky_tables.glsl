@@ -3,6 +3,7 @@
 #ifndef LUFTPOST_SKY_TABLES_GLSL
 #define LUFTPOST_SKY_TABLES_GLSL
 #include "shaders/lib/atmosphere.glsl"
+#include "shaders/lib/cloud_light.glsl"
 #include "shaders/shared/sky_block.glsl.h"
 
 layout(binding = 20) uniform sampler2D skyTransmittanceTable;
@@ -10,22 +11,50 @@ layout(binding = 21) uniform sampler2D skyMultipleTable;
 layout(binding = 22) uniform sampler2D skyViewTable;
 layout(binding = 23) uniform sampler3D skyAerialTable;
 layout(binding = 24) uniform sampler3D skyAerialThroughTable;
+layout(binding = 25) uniform sampler3D skyShadeTable;  // made by AirShade
 
-/// Radiance of the cloudless sky without the sun's and moon's discs and the stars; below the horizon that of hazy land.
-/// `direction`: world, unit.
-vec3 skyRadiance(vec3 direction) {
-    vec2 size = vec2(textureSize(skyViewTable, 0));
-    return textureLod(skyViewTable, skyCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz), 0.0).rgb;
+/// The light that clouds are lit by: the sun, or the moon once the sun gives less.
+struct KeyLight {
+    vec3 toward;      // world, unit
+    vec3 above;       // irradiance above the air
+    float radius;
+};
+KeyLight keyLight() {
+    bool sunlit = sky.lights.sun.y > kSunGivesWay;
+    return sunlit ? KeyLight(sky.lights.sun.xyz, sky.lights.sunLight.rgb, sky.lights.sun.w)
+                  : KeyLight(sky.lights.moon.xyz, sky.lights.moonLight.rgb, sky.lights.moon.w);
 }
 
-/// The air between the camera and a point at `distance` toward `direction` (world, unit): what lies there comes to the
-/// eye as  radiance * transmittance + its air light.
-AirLight airBefore(vec3 direction, float distance) {
+vec2 shadeDirection(vec3 direction) {
+    vec2 size = vec2(textureSize(skyShadeTable, 0).xy);
+    return aerialCoordinate(vec3(size, 2.0), sky.skyCamera.x, direction, sky.lights.sun.xyz, 0.0).xy;
+}
+
+/// Radiance of the sky between the clouds, in their shade, without the sun's and moon's discs and the stars; below the horizon
+/// that of hazy land. `direction`: world, unit.
+vec3 skyRadiance(vec3 direction) {
+    vec2 size = vec2(textureSize(skyViewTable, 0));
+    vec3 open = textureLod(skyViewTable, skyCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz), 0.0).rgb;
+    float slices = float(textureSize(skyShadeTable, 0).z);
+    return open * (1.0 - textureLod(skyShadeTable, vec3(shadeDirection(direction), shadeOfSky(slices)), 0.0).rgb);
+}
+
+vec3 openAirBefore(vec3 direction, float distance) {
     vec3 size = vec3(textureSize(skyAerialTable, 0));
+    return textureLod(skyAerialTable, aerialCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz, distance), 0.0).rgb;
+}
+
+/// The air between the camera and a point at `distance` toward `direction` (world, unit), in the shade of the clouds: what lies
+/// there comes to the eye as  radiance * transmittance + its air light.
+AirLight airBefore(vec3 direction, float distance) {
+    vec3 size = vec3(textureSize(skyAerialThroughTable, 0));
     vec3 uvw = aerialCoordinate(size, sky.skyCamera.x, direction, sky.lights.sun.xyz, distance);
     AirLight light;
-    light.radiance = textureLod(skyAerialTable, uvw, 0.0).rgb;
     light.transmittance = textureLod(skyAerialThroughTable, uvw, 0.0).rgb;
+    light.radiance = openAirBefore(direction, distance);
+    float slices = float(textureSize(skyShadeTable, 0).z);
+    vec3 dimmed = textureLod(skyShadeTable, vec3(shadeDirection(direction), shadeCoordinate(slices, distance)), 0.0).rgb;
+    light.radiance -= dimmed * (distance > kShadeReach ? openAirBefore(direction, kShadeReach) : light.radiance);
     return light;
 }
 

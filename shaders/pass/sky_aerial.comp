@@ -3,7 +3,7 @@
 #include "shaders/lib/sky_tables.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba32f) writeonly uniform image3D radianceTable;
-layout(binding = 1, rgba32f) writeonly uniform image3D transmittanceTable;
+layout(binding = 1, rgba16f) writeonly uniform image3D transmittanceTable;
 
 AirLight stepTo(AirLight sum, vec3 toward, vec3 direction, float h, float start, float end) {
     return addAir(sum, sky.air, skyTransmittanceTable, vec2(textureSize(skyTransmittanceTable, 0)), skyMultipleTable,
