@@ -9,6 +9,7 @@ uniform int firstRow;
 const int kSteps = 2;     // between two slices
 const int kSkySteps = 6;  // from the last one on
 const float kMost = 0.97;
+const float kSharpest = 0.9976;  // cosine: the table that is dimmed knows haze's glow no nearer to the light
 
 /// x: share of the key light's beam that the clouds let through to a place; y: how far that is known: beyond the grids it is
 /// the mean.
@@ -33,7 +34,7 @@ ShadedAir addShaded(ShadedAir sum, vec3 direction, float start, float end, KeyLi
     vec3 p = flatFromCurved(direction * t, frame.cameraWorld.y);
     p.y = h;
     vec3 toward = inFlatFrame(key.toward, direction, p);
-    float nu = dot(direction, key.toward);
+    float nu = min(dot(direction, key.toward), kSharpest);
     vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
     AirAt here = airAt(sky.air, h);
     vec3 through = exp(-here.extinction * (end - start));
