@@ -8,9 +8,9 @@
 
 #include "engine/weather/cloud_depth.h"
 #include "engine/weather/cloud_plan.h"
-#include "engine/weather/field.h"
 #include "engine/weather/genera.h"
 #include "engine/weather/noise_volume.h"
+#include "tests/bench/one_layer.h"
 
 namespace {
 using namespace luftpost;
@@ -18,28 +18,7 @@ using namespace luftpost::weather;
 
 constexpr std::array kCovers{0.0f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f, 1.0f};
 constexpr int kSide = 90;               // points a side
-constexpr double kBase = 1000.0;        // m
 constexpr unsigned kSeeds = 3;
-
-/// A sky of one layer, everywhere and for ever.
-Field fieldOf(Genus genus, float cover, double thickness) {
-    Report report;
-    report.time = 0.0;
-    report.speed_mps = 5.0;
-    report.from_deg = 240.0;
-    report.layers.emplace();
-    report.layers->push_back({genus, cover, kBase, kBase + thickness});
-    Site site;
-    site.name = "cover";
-    site.lat_deg = 47.5;
-    site.lon_deg = 7.6;
-    site.elevation_m = 0.0;
-    site.reports.push_back(report);
-    Recording recording;
-    recording.name = "cover";
-    recording.sites.push_back(site);
-    return fieldFrom(std::move(recording), {SourceMode::Preset, "cover", "", "", ""}, std::nullopt);
-}
 
 double measured(Genus genus, float cover, double thickness, unsigned seed, NoiseVolumes const& noise) {
     PlanRequest request;
@@ -47,7 +26,7 @@ double measured(Genus genus, float cover, double thickness, unsigned seed, Noise
     request.size = {kSide, kSide};
     request.time = 3600.0 * seed;
     request.seed = seed;
-    std::vector<float> const depths = cloudPlan(fieldOf(genus, cover, thickness), request, noise, 2);
+    std::vector<float> const depths = cloudPlan(tests::fieldOfOneLayer(genus, cover, thickness), request, noise, 2);
     auto const covered = std::count_if(depths.begin(), depths.end(), [&](float depth) { return depth > coverDepth(genus); });
     return static_cast<double>(covered) / static_cast<double>(depths.size());
 }
