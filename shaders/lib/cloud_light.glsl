@@ -3,8 +3,10 @@
 // PROBLEM. How bright is a point in a cloud toward the eye? Droplets absorb nothing: light only changes direction, tens
 // of times before it leaves a cumulus. To follow it is the reference's work; here is what is left of it.
 //
-// MODEL. Three parts, all in radiance per unit of irradiance of the light.
+// MODEL. Four parts, all in radiance per unit of irradiance of the light.
 //   - Scattered once: the phase function times exp(-depth). It makes the silver rim.
+//   - Scattered forward, again and again: a lobe about the light's way that widens with the depth. It makes thin layers bright on
+//     their far side: half of what one sees of altocumulus under the sun.
 //   - Scattered a few times: nearly even, through a cloud that looks thinner the less the turns count: an octave after
 //     Wrenninge (2013).
 //   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
@@ -46,16 +48,17 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kFewTurns = 1.69f;
+GLSL_CONST float kForward = 1.45f;
+GLSL_CONST float kForwardTurns = 0.5f; // per optical depth; each widens the lobe by g
+GLSL_CONST float kFewTurns = 1.2f;
 GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
-GLSL_CONST float kFewFade = 0.6f;
-GLSL_CONST float kManyTurns = 0.68f;
+GLSL_CONST float kFewFade = 0.3f;
+GLSL_CONST float kManyTurns = 0.48f;
 GLSL_CONST float kManyFront = 0.4f;    // light comes in on other ways than the straight one: the depth of the face counts less
 GLSL_CONST float kManySides = 4.0f;    // loss through the sides, by depth over width
-GLSL_CONST float kManyLeak = 0.8f;     // near a face
-GLSL_CONST float kManyLeakFade = 1.3f;
-GLSL_CONST float kFromAbove = 0.64f;
-GLSL_CONST float kFromBelow = 0.76f;
+GLSL_CONST float kManyLeakFade = 1.3f; // near a face that is not lit
+GLSL_CONST float kFromAbove = 0.56f;
+GLSL_CONST float kFromBelow = 0.83f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
@@ -67,13 +70,15 @@ GLSL_FUNCTION float beamBehind(float depth) { return exp(-0.35f * depth); }
 GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float along, float wide, float powder) {
     float s = 1.0f - meanCosine(g);
     float once = cloudPhase(cosine, g) * exp(-toLight);
+    float lobe = pow(g, 1.0f + kForwardTurns * toLight);
+    float forward = kForward * (1.0f - exp(-toLight)) * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
     float few = kFewTurns * (1.0f - diffused(min(along, wide), s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
     float narrow = kManySides * toLight / (wide + 2.0f);
     float sides = 1.0f / (1.0f + narrow * narrow);
-    float leak = 1.0f - kManyLeak * exp(-kManyLeakFade * s * depth);
+    float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
     float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - 2.0f * exp(-s * toLight);
     float many = kManyTurns * kIsotropic * sides * leak * max(inside, 0.0f);
-    return (once + few + many) * (1.0f - powder * exp(-2.0f * depth));
+    return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 
 // The same of diffuse light: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere.
