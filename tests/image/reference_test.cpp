@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/assets/image.h"
+#include "engine/core/frames.h"
 #include "tests/play/program.h"
 
 namespace {
@@ -70,17 +71,28 @@ Block blockAt(assets::FloatImage const& image, int x, int y, int side) {
     return sum;
 }
 
+/// Elevation of the middle of a block in the scene's picture, degrees.
+double elevationAt(Scene const& scene, int x, int y, glm::dvec2 const& size) {
+    double const tangent = std::tan(0.5 * core::radians(std::stod(scene.fov))), up = core::radians(std::stod(scene.look.substr(scene.look.find(',') + 1)));
+    double const middle = 0.5 * kBlock, across = (x + middle - 0.5 * size.x) / (0.5 * size.x) * tangent, above = (0.5 * size.y - y - middle) / (0.5 * size.x) * tangent;
+    return core::degrees(std::asin((std::sin(up) + above * std::cos(up)) / std::sqrt(1.0 + across * across + above * above)));
+}
+
 struct Agreement {
     double mean = 0.0, bias = 0.0, worst = 0.0;  // of |ours / theirs - 1|: mean, and 95th percentile; of ours / theirs - 1
     std::size_t blocks = 0;
 };
-Agreement agreement(assets::FloatImage const& ours, assets::FloatImage const& theirs) {
+/// The reference's land is bare and level; from the ground ours, with its trees, hides the lowest clouds.
+constexpr double kLandHides = 1.5;  // degrees
+
+Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::FloatImage const& theirs) {
     std::vector<double> errors;
     Agreement result;
     for (int y = 0; y + kBlock <= theirs.height; y += kBlock)
         for (int x = 0; x + kBlock <= theirs.width; x += kBlock) {
             Block const reference = blockAt(theirs, x, y, kBlock);
             if (reference.alpha <= 0.5) continue;
+            if (scene.eye.empty() && elevationAt(scene, x, y, {theirs.width, theirs.height}) < kLandHides) continue;
             double const off = blockAt(ours, x, y, kBlock).luminance / reference.luminance - 1.0;
             errors.push_back(std::abs(off));
             result.bias += off;
@@ -101,7 +113,7 @@ TEST_P(ReferenceScene, IsDrawnAsBrightAsItIs) {
     Scene const& scene = GetParam();
     auto const theirs = assets::readFloatImage(kFolder / (scene.name + ".exr"));
     ASSERT_EQ(theirs.width, 96);
-    Agreement const a = agreement(drawn(scene, ""), theirs);
+    Agreement const a = agreement(scene, drawn(scene, ""), theirs);
     fmt::print("| {} | {} | {:.1f} % | {:+.1f} % | {:.1f} % |\n", scene.name, a.blocks, 100.0 * a.mean, 100.0 * a.bias, 100.0 * a.worst);
     ASSERT_GT(a.blocks, 60u);
     EXPECT_LT(a.mean, scene.mean);
