@@ -5,8 +5,8 @@
 
 namespace luftpost::render {
 namespace {
-constexpr glm::ivec3 kSize{80, 80, 21};
-constexpr int kBands = 10;  // frames in which all rows are drawn anew
+constexpr glm::ivec3 kSize{80, 72, 21};
+constexpr int kBands = 9;  // frames in which all rows are drawn anew
 }  // namespace
 
 AirShade::AirShade(gl::ProgramLibrary& programs)
