@@ -98,8 +98,8 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod
     return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
 }
 
-/// A sheet of fibres where the ray crosses the middle of its layer.
-MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
+/// `share` of a sheet of fibres where the ray crosses it.
+MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight key) {
     vec3 p = flatFromCurved(direction * t, frame.cameraWorld.y);
     float altitude = p.y + frame.cameraWorld.y;
     float coarse;
@@ -112,7 +112,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, KeyLight key) {
                                                    column.water * clouds.shapes[layer].look.w * (column.top - column.base), coarse);
     LightThere there = lightThere(place, direction, t, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
-    float depth = straight / slope;
+    float depth = share * straight / slope;
     vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 1.0e3, 0.0) +
                  litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
     MarchResult result;
@@ -139,14 +139,24 @@ MarchResult merged(MarchResult near, MarchResult far) {
     return result;
 }
 
+/// The part of a sheet between two altitudes, crossed half way between them.
+MarchResult withPart(MarchResult ray, int layer, vec2 altitudes, float share, vec3 direction, float end, KeyLight key) {
+    if (share <= 0.0) return ray;
+    vec2 cross = crossings(frame.cameraWorld.y, direction.y, 0.5 * (altitudes.x + altitudes.y));
+    for (int k = 0; k < 2; ++k)
+        if (cross[k] > 0.0 && cross[k] < end) ray = merged(ray, sheetAt(layer, direction, cross[k], share, key));
+    return ray;
+}
+
+/// From within a layer its fibres lie above and below, most in its middle: 6 s (1 - s), as layerSample has it.
 MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key) {
-    float h = frame.cameraWorld.y;
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         vec4 extent = clouds.shapes[layer].extent;
         if (extent.z < 0.5 || clouds.shapes[layer].look.z < 0.5) continue;
-        vec2 cross = crossings(h, direction.y, 0.5 * (extent.x + extent.y));
-        for (int k = 0; k < 2; ++k)
-            if (cross[k] > 0.0 && cross[k] < end) ray = merged(ray, sheetAt(layer, direction, cross[k], key));
+        float eye = clamp(frame.cameraWorld.y, extent.x, extent.y);
+        float below = smoothstep(extent.x, extent.y, eye);
+        ray = withPart(ray, layer, vec2(eye, extent.y), 1.0 - below, direction, end, key);
+        ray = withPart(ray, layer, vec2(extent.x, eye), below, direction, end, key);
     }
     return ray;
 }
