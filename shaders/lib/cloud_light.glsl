@@ -49,8 +49,8 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
 GLSL_CONST float kForward = 1.45f;
-GLSL_CONST float kForwardTurns = 0.5f; // per optical depth; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.2f;
+GLSL_CONST float kForwardTurns = 0.35f; // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kFewTurns = 1.3f;
 GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
 GLSL_CONST float kFewFade = 0.3f;
 GLSL_CONST float kManyTurns = 0.48f;
@@ -70,8 +70,8 @@ GLSL_FUNCTION float beamBehind(float depth) { return exp(-0.35f * depth); }
 GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float along, float wide, float powder) {
     float s = 1.0f - meanCosine(g);
     float once = cloudPhase(cosine, g) * exp(-toLight);
-    float lobe = pow(g, 1.0f + kForwardTurns * toLight);
-    float forward = kForward * (1.0f - exp(-toLight)) * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
+    float lobe = pow(g, 2.0f + kForwardTurns * toLight), met = 1.0f - exp(-toLight);
+    float forward = kForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
     float few = kFewTurns * (1.0f - diffused(min(along, wide), s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
     float narrow = kManySides * toLight / (wide + 2.0f);
     float sides = 1.0f / (1.0f + narrow * narrow);

@@ -41,6 +41,21 @@ std::pair<int, std::string> run(std::string const& command) {
     return {pclose(pipe), output};
 }
 
+/// Two samplers of one program on one unit read the same texture, whatever each was meant to: no driver has to say so.
+TEST(ShaderFiles, GiveEachSamplerOfAProgramAUnitOfItsOwn) {
+    std::regex const sampler{R"(layout\(binding = (\d+)\) uniform [iu]?sampler\w+ (\w+))"};
+    int count = 0;
+    for (auto const& entry : fs::directory_iterator{kShaders / "pass"}) {
+        std::string const name = entry.path().filename().string(), text = resolved("pass/" + name).text;
+        std::map<int, std::string> owners;
+        for (std::sregex_iterator at{text.begin(), text.end(), sampler}, end; at != end; ++at, ++count) {
+            auto const [owner, isNew] = owners.emplace(std::stoi((*at)[1]), (*at)[2]);
+            EXPECT_TRUE(isNew) << name << ": " << owner->second << " and " << (*at)[2] << " on unit " << (*at)[1];
+        }
+    }
+    EXPECT_GT(count, 50);
+}
+
 TEST(ShaderFiles, AreStrictCoreGlsl) {
     ASSERT_EQ(run("glslangValidator --version").first, 0) << "expected glslangValidator (Debian: glslang-tools)";
     fs::path const folder = fs::temp_directory_path() / fmt::format("luftpost_glsl_{}", getpid());

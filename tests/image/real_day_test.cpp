@@ -84,7 +84,7 @@ TEST(RealDay, HasAnOvercastSkyThreeTimesBrighterAtTheZenith) {
     double const zenith = share(luminances(dome, ring(0.0, 12.0)), 0.5), horizon = share(luminances(dome, ring(85.5, 88.5)), 0.5);
     expectWithin("overcast, zenith, kcd/m2", zenith, 2.0, 6.0);
     // Three to one; three degrees over the horizon, in the middle of the ring, CIE's overcast is 1 + 2 sin 3 degrees brighter.
-    expectWithin("overcast, zenith over horizon", zenith / horizon * (1.0 + 2.0 * std::sin(0.0524)), 3.0, 3.0, 1.2);
+    expectWithin("overcast, zenith over horizon", zenith / horizon * (1.0 + 2.0 * std::sin(0.0524)), 0.8 * 3.0, 1.2 * 3.0, 1.0);
 }
 
 /// A recording of one clear report but for what `with` replaces.
