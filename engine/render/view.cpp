@@ -26,7 +26,7 @@ int projectionMode(Projection projection) {
 
 void describeTime(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.time = glm::vec4{glm::dvec4{std::fmod(snapshot.simulationSeconds, 3600.0), snapshot.frameSeconds,
-                                      std::fmod(snapshot.time, 86400.0), 0.0}};
+                                      std::fmod(snapshot.time, 86400.0), snapshot.eyeSeconds}};
     // Waves take minutes to grow: they go by the mean wind over the ground, neither by gusts nor by that of the camera's height.
     glm::vec2 const wind{snapshot.weather.windSurface};
     frame.wind = {wind.x, 0.0f, -wind.y, static_cast<float>(snapshot.weather.gust)};

@@ -17,6 +17,7 @@
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
+#include "game/app/studio.h"
 #include "game/app/weather_desk.h"
 #include "game/delivery/career.h"
 #include "game/ui/air_overlay.h"
@@ -34,7 +35,7 @@ public:
     /// The present state once more with every ray, read back and written.
     void writePicture(std::filesystem::path const& file);
 
-    bool paused() const { return paused_ || pauseOpen_; }
+    bool paused() const { return paused_ || pauseOpen_ || studio_; }
     bool over() const { return quit_; }
     Session& session() { return *session_; }
     Settings const& settings() const { return settings_; }
@@ -52,9 +53,17 @@ private:
     void drawPages();
     render::Snapshot pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const;
     void drawPicture(FrameStep const& step, ImDrawData const* screen, bool still);
+    void drawSaving(ImDrawData const* screen);
+    void show();
+    ui::CameraPose const& pose() const { return studio_ ? studio_->pose() : cameras_.pose(); }
+    bool inside() const { return !studio_ && cameras_.inside(); }
     void obey(ui::DeviceReading const& reading);
     void escape();
     void takePicture();
+    void openStudio();
+    void obeyStudio(ui::DeviceReading const& reading);
+    void drawStudio();
+    void saveStudioPicture();
     void answerConfig(ui::ConfigAnswer const& answer);
     void answerPause(ui::PauseChoice choice);
     void change(ui::SettingChange const& change);
@@ -95,6 +104,7 @@ private:
     Messages messages_;
     WeatherDesk desk_;
     std::optional<PhotoBox> photo_;  // of --photo
+    std::optional<Studio> studio_;   // while it is open
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;

@@ -21,7 +21,7 @@ bool changesFlight(std::string const& key) {
     return core::findSetting(list, key) != nullptr;
 }
 
-std::filesystem::path pictureFile() {
+std::filesystem::path pictureFile(std::string const& ending) {
     std::filesystem::path const folder = platform::dataFolder() / "pictures";
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
@@ -29,12 +29,14 @@ std::filesystem::path pictureFile() {
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     std::string name = core::formatUtc(now);
     std::replace(name.begin(), name.end(), ':', '-');
-    return folder / (name + ".png");
+    return folder / (name + ending);
 }
 }  // namespace
 
 void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
+    if (studio_) return obeyStudio(reading);
+    if (reading.pressed(Command::studio)) openStudio();
     if (reading.pressed(Command::camera))
         cameras_.next(session_->simulation().delivery().parcel().has_value());
     if (reading.pressed(Command::pause)) paused_ = !paused_;
@@ -63,12 +65,48 @@ void Game::escape() {
 
 void Game::takePicture() {
     double const now = session_->simulation().seconds();
-    std::filesystem::path const file = pictureFile();
+    std::filesystem::path const file = pictureFile(".png");
     try {
         writePicture(file);
         messages_.say("Picture: " + file.string(), ui::MessageKind::info, now);
     } catch (core::Error const& error) {
         messages_.say(error.what(), ui::MessageKind::bad, now);
+    }
+}
+
+void Game::openStudio() {
+    configOpen_ = keysOpen_ = false;
+    studio_.emplace(cameras_, session_->simulation().utc(), settings_.graphics);
+}
+
+void Game::obeyStudio(ui::DeviceReading const& reading) {
+    using ui::Command;
+    if (reading.pressed(Command::fullScreen)) change({"graphics.full_screen", !settings_.graphics.fullScreen});
+    if (reading.pressed(Command::picture) && !studio_->saving()) saveStudioPicture();
+    if (!reading.pressed(Command::escape) && !reading.pressed(Command::studio)) return;
+    if (studio_->saving()) studio_->stop();
+    else studio_.reset();
+}
+
+void Game::drawStudio() {
+    ui::StudioAnswer const answer = ui::drawStudioPage(studio_->page(renderer_.size()));
+    studio_->setView(answer.view);
+    if (answer.stop) studio_->stop();
+    if (answer.save) saveStudioPicture();
+    if (answer.close) studio_.reset();
+}
+
+/// Draws the whole once, without the page; the tiles follow, one a frame.
+void Game::saveStudioPicture() {
+    FrameStep const now{0, 1.0, 0.0, 0.0};
+    render::Snapshot still = pictureOf(now, nullptr, true);
+    still.photo = nullptr;
+    still.graphics.resolution = Studio::wholeResolution(renderer_.size());
+    try {
+        renderer_.draw(still);
+        studio_->save(renderer_, still, renderer_.size(), pictureFile(studio_->view().linear ? ".exr" : ".png"));
+    } catch (core::Error const& error) {
+        studio_->note(error.what(), true);
     }
 }
 
@@ -90,6 +128,7 @@ void Game::answerPause(ui::PauseChoice choice) {
     if (sounds_) sounds_->click();
     if (choice == PauseChoice::config) configOpen_ = true;
     if (choice == PauseChoice::keys) keysOpen_ = true;
+    if (choice == PauseChoice::studio) openStudio();
     if (choice == PauseChoice::restart) restart();
     if (choice == PauseChoice::quit) quit_ = true;
     if (choice == PauseChoice::resume || choice == PauseChoice::restart) pauseOpen_ = paused_ = false;

@@ -165,8 +165,6 @@ core::AirFunction Simulation::airAtAnyTime() const {
     };
 }
 
-weather::AirInstant Simulation::airNow() const { return world_.air().instant(utc(), settings_.clouds); }
-
 std::vector<FlightEventAt> Simulation::takeEvents() { return std::exchange(events_, {}); }
 
 std::string Simulation::stateHash() const {

@@ -62,7 +62,9 @@ public:
     ui::Stick const& stick() const { return stick_; }
     FlightSettings const& settings() const { return settings_; }
     /// The air at this tick, with the clouds as the settings have them.
-    weather::AirInstant airNow() const;
+    weather::AirInstant airNow() const { return airAt(utc()); }
+    /// The same at another time of the weather's clock.
+    weather::AirInstant airAt(core::UtcSeconds utc) const { return world_.air().instant(utc, settings_.clouds); }
     World const& world() const { return world_; }
     int crashes() const { return crashes_; }
 

@@ -23,6 +23,7 @@ enum class Command : unsigned {
     keys,
     weather,
     photo,
+    studio,
     air,
     escape,
     count

@@ -29,7 +29,7 @@ UNIFORM_BLOCK(FrameBlock, 0) {
     ivec4 mode;                  // x: kProjection...; y: bits of kDebug...; z: frame number; w: 1 for a still
     vec4 cameraWorld;            // xyz: position in the world, for what varies slowly (floats: half a metre at 4000 km)
     vec4 cameraMoved;            // xyz: position now less position in the previous frame
-    vec4 time;                   // x: seconds of the simulation modulo 3600; y: seconds since the previous frame; z: UTC seconds of the day
+    vec4 time;                   // x: seconds of the simulation modulo 3600; y: seconds since the previous frame; z: UTC seconds of the day; w: seconds the eye had to adapt
     vec4 exposure;               // x: preExposure; y: display = tone map(radiance * y)
 
     vec4 sunDirection;           // xyz: unit, toward the sun; w: its angular radius
