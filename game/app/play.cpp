@@ -39,9 +39,16 @@ terrain::CameraView viewOf(flight::AircraftState const& state) {
             .up = state.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}};
 }
 
+std::string exportText(Session const& session, std::filesystem::path const& file) {
+    ExportKind const kind = exportKind("--export", file.string());
+    if (kind == ExportKind::csv) return session.logText();
+    return kind == ExportKind::kml ? session.track().kml() : session.track().gpx();
+}
+
 /// What was asked for, written when the flight is over.
 void writeFiles(Session& session, RunOptions const& run, FlightReport const& report) {
     if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
+    if (!run.exported.empty()) core::writeFileAtomically(run.exported, exportText(session, run.exported));
     if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
     if (!run.saveWeather.empty())
         core::writeFileAtomically(run.saveWeather, session.weatherText());

@@ -9,6 +9,7 @@ namespace {
 /// What play and replay have in common.
 void addRunOptions(CLI::App& command, PlayTexts& texts) {
     command.add_option("--log", texts.log, "FILE.csv: a row every 0.1 s");
+    command.add_option("--export", texts.exported, "FILE.csv (as --log), FILE.kml or FILE.gpx: the way for maps");
     command.add_option("--report", texts.report, "FILE.json: what happened and what it cost");
     command.add_option("--screenshot", texts.screenshot, "FILE.png: the last frame, with every ray");
     command.add_option("--frame-rate", texts.frameRate, "frames of simulated time a second (default 60)");

@@ -16,7 +16,7 @@ namespace luftpost::app {
 struct PlayTexts {
     bool headless = false, noRender = false;
     std::string bot, start, assist, payload, fuel, seconds, frameRate, workers;
-    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save, photo;
+    std::filesystem::path input, log, exported, report, screenshot, saveReplay, saveWeather, save, photo;
 };
 
 /// How a flight is run and what is written about it.
@@ -27,7 +27,7 @@ struct RunOptions {
     int workers = 1;
     glm::ivec2 size{1280, 720};
     Settings settings;
-    std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
+    std::filesystem::path log, exported, report, screenshot, saveReplay, saveWeather;
     std::vector<assets::PhotoFile> photos;  // of --photo
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
     std::shared_ptr<WeatherFeed> feed;         // of live weather

@@ -101,7 +101,7 @@ void Simulation::step() {
     stepDelivery(air);
     ++tick_;
     if (aircraft_.state().crashed()) {
-        ++crashes_;
+        crashed_.push_back({seconds(), aircraft_.state().positionWorld});
         note(FlightEvent::crashed, aircraft_.state().positionWorld,
              flight::crashText(aircraft_.airframe(), aircraft_.state()));
         respawn();

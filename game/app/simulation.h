@@ -66,7 +66,13 @@ public:
     /// The same at another time of the weather's clock.
     weather::AirInstant airAt(core::UtcSeconds utc) const { return world_.air().instant(utc, settings_.clouds); }
     World const& world() const { return world_; }
-    int crashes() const { return crashes_; }
+    /// Where and when the aircraft broke.
+    struct Crash {
+        double seconds = 0.0;
+        glm::dvec3 positionWorld{0.0};
+    };
+    std::vector<Crash> const& crashed() const { return crashed_; }
+    int crashes() const { return static_cast<int>(crashed_.size()); }
 
     /// The events since the last call, in order.
     std::vector<FlightEventAt> takeEvents();
@@ -95,7 +101,7 @@ private:
     core::UtcSeconds clockUtc_ = 0.0;  // ... this, and it runs on ...
     double clockRate_ = 1.0;           // ... so many times as fast
     double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
-    int crashes_ = 0;
+    std::vector<Crash> crashed_;
     std::vector<FlightEventAt> events_;
 };
 }  // namespace luftpost::app
