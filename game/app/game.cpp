@@ -50,6 +50,7 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       desk_{plan_.plan.weather.source} {
     if (!run_.photos.empty()) photo_.emplace(run_.photos);
     if (surface_.hasWindow()) sounds_.emplace();
+    if (run_.watch) replay_.emplace(plan_, *run_.ticks);
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
 }
@@ -76,7 +77,7 @@ void Game::readDevices(FrameStep const& step) {
     reading_ = devices_.read(*input_, screen_.wantsText(), screen_.wantsPointer(), step.wall);
     obey(reading_);
     if (surface_.closeRequested()) quit_ = true;
-    if (studio_ || plan_.courier || reading_.flight == sample_) return;
+    if (studio_ || replay_ || plan_.courier || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
 }
@@ -89,6 +90,7 @@ void Game::takeWeather() {
 void Game::advance(FrameStep const& step) {
     long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
     for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
+    if (replay_) replay_->follow(session_->simulation());
 }
 
 void Game::takeEvents() {
@@ -241,7 +243,8 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
-    if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
+    if (replay_) hud.prompts = replay_->playing() ? std::vector<ui::HudPrompt>{} : devices_.replayPrompts();
+    else if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();
     return hud;
 }

@@ -14,6 +14,7 @@
 #include "game/app/photo_box.h"
 #include "game/app/play_options.h"
 #include "game/app/player_files.h"
+#include "game/app/replay_view.h"
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
@@ -35,7 +36,11 @@ public:
     /// The present state once more with every ray, read back and written.
     void writePicture(std::filesystem::path const& file);
 
-    bool paused() const { return paused_ || pauseOpen_ || studio_; }
+    bool paused() const {
+        return paused_ || pauseOpen_ || studio_ || (replay_ && !replay_->playing());
+    }
+    /// Seconds of flight to one of the player's.
+    double pace() const { return replay_ ? replay_->speed() : 1.0; }
     bool over() const { return quit_; }
     Session& session() { return *session_; }
     Settings const& settings() const { return settings_; }
@@ -60,6 +65,11 @@ private:
     void obey(ui::DeviceReading const& reading);
     void escape();
     void takePicture();
+    void obeyFlying(ui::DeviceReading const& reading);
+    void obeyView(ui::DeviceReading const& reading);
+    void obeyReplay(ui::DeviceReading const& reading);
+    void drawReplay();
+    void jumped();
     void openStudio();
     void obeyStudio(ui::DeviceReading const& reading);
     void drawStudio();
@@ -105,6 +115,7 @@ private:
     WeatherDesk desk_;
     std::optional<PhotoBox> photo_;  // of --photo
     std::optional<Studio> studio_;   // while it is open
+    std::optional<ReplayView> replay_;  // of a replay that is watched
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;

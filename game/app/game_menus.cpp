@@ -37,20 +37,59 @@ void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
     if (studio_) return obeyStudio(reading);
     if (reading.pressed(Command::studio)) openStudio();
+    if (replay_) return obeyReplay(reading);
+    obeyFlying(reading);
+    obeyView(reading);
+}
+
+/// What a flight has and a replay has not.
+void Game::obeyFlying(ui::DeviceReading const& reading) {
+    using ui::Command;
+    if (reading.pressed(Command::pause)) paused_ = !paused_;
+    if (reading.pressed(Command::weather)) configOpen_ = weatherPage_ = true;
+    if (reading.pressed(Command::photo)) nextPhotoMode();
+    if (reading.pressed(Command::escape)) escape();
+}
+
+void Game::obeyView(ui::DeviceReading const& reading) {
+    using ui::Command;
     if (reading.pressed(Command::camera))
         cameras_.next(session_->simulation().delivery().parcel().has_value());
-    if (reading.pressed(Command::pause)) paused_ = !paused_;
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;
     if (reading.pressed(Command::wireframe)) debug_.wireframe = !debug_.wireframe;
     if (reading.pressed(Command::keys)) keysOpen_ = !keysOpen_;
-    if (reading.pressed(Command::weather)) configOpen_ = weatherPage_ = true;
-    if (reading.pressed(Command::photo)) nextPhotoMode();
     if (reading.pressed(Command::air)) change({"hud.air", !settings_.hud.air});
-    if (reading.pressed(Command::escape)) escape();
     if (reading.pressed(Command::fullScreen))
         change({"graphics.full_screen", !settings_.graphics.fullScreen});
     if (reading.pressed(Command::picture)) takePicture();
+}
+
+void Game::obeyReplay(ui::DeviceReading const& reading) {
+    using ui::Command;
+    obeyView(reading);
+    if (reading.pressed(Command::pause)) replay_->toggle(*session_);
+    if (replay_->obey(reading.flight, *session_)) jumped();
+    if (!reading.pressed(Command::escape)) return;
+    if (keysOpen_ || configOpen_) escape();
+    else quit_ = true;
+}
+
+void Game::drawReplay() {
+    ui::ReplayAnswer const answer = ui::drawReplayBar(replay_->bar(session_->simulation()));
+    if (answer.toggle) replay_->toggle(*session_);
+    if (answer.speed) replay_->setSpeed(*answer.speed);
+    if (answer.seconds) replay_->seek(*answer.seconds, *session_);
+    if (answer.seconds || answer.toggle) jumped();
+}
+
+/// The replay is somewhere else: what was said is past, and the camera stands where the aircraft is.
+void Game::jumped() {
+    messages_ = {};
+    ui::CameraMode const mode = cameras_.mode();
+    if (mode == ui::CameraMode::free) return;
+    cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)), groundHeight());
+    if (mode == ui::CameraMode::cockpit) cameras_.select(mode);
 }
 
 /// Closes the topmost page, else opens the pause menu.
@@ -111,6 +150,7 @@ void Game::saveStudioPicture() {
 }
 
 void Game::drawPages() {
+    if (replay_) drawReplay();
     if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
     if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
@@ -148,6 +188,7 @@ void Game::leavePreset(std::string const& key) {
 void Game::change(ui::SettingChange const& wanted) {
     core::Setting* const setting = core::findSetting(list_, wanted.key);
     if (!setting || setting->get() == wanted.value) return;
+    if (replay_ && (changesFlight(wanted.key) || wanted.key.starts_with("weather."))) return complain("A replay keeps the flight's own settings");
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
@@ -191,6 +232,7 @@ ui::MenuWeather Game::menuWeather() {
 }
 
 void Game::answerWeather(ui::WeatherAnswer const& answer) {
+    if (replay_) return;  // it keeps its own
     // Another weather than the feed's ends it: it would come back with the next arrival.
     if (answer.source) change({"weather.live", *answer.source == kLiveSource});
     if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});

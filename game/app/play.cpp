@@ -95,10 +95,10 @@ void flyFrames(Game& game, RunOptions const& run, std::vector<double>& frame_ms)
     FrameClock clock;
     WallClock::time_point before = WallClock::now();
     for (long long number = 1; !game.over(); ++number) {
-        if (run.ticks && game.session().simulation().tick() >= *run.ticks) return;
+        if (run.ticks && !run.watch && game.session().simulation().tick() >= *run.ticks) return;
         double const wall = secondsSince(before);
         before = WallClock::now();
-        game.frame(run.headless ? simulatedStep(number, run.frameRate) : clock.step(wall, game.paused()));
+        game.frame(run.headless ? simulatedStep(number, run.frameRate) : clock.step(wall, game.paused(), game.pace()));
         frame_ms.push_back(secondsSince(before) * 1000.0);
     }
 }
@@ -108,6 +108,7 @@ void flyWithPicture(PlayOptions options) {
     std::unique_ptr<platform::Surface> const surface =
         run.headless ? platform::openHeadless(run.size)
                      : platform::openWindow({.size = run.size,
+                                             .title = run.watch ? "Luftpost: replay" : "Luftpost",
                                              .fullScreen = run.settings.graphics.fullScreen,
                                              .verticalSync = run.settings.graphics.verticalSync});
     gl::prepareContext();

@@ -43,8 +43,9 @@ void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) 
 void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     auto const texts = std::make_shared<PlayTexts>();
     auto const file = std::make_shared<std::filesystem::path>();
-    CLI::App* const replay = app.add_subcommand("replay", "a flight again, bit for bit");
+    CLI::App* const replay = app.add_subcommand("replay", "a flight again, bit for bit: in a window, to be watched, unless a file is asked for");
     replay->add_option("file", *file, "what --save-replay wrote")->required();
+    replay->add_flag("--headless", texts->headless, "no window: whether the file can be flown");
     addRunOptions(*replay, *texts);
     replay->callback([texts, file, &common, &chosen] {
         chosen = [texts, file, &common] { return playFlight(replayOptions(*file, *texts, common)); };

@@ -9,6 +9,7 @@
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/platform/surface.h"
 #include "engine/weather/source.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
@@ -224,15 +225,29 @@ void refuseAnotherFlight(CommonOptions const& common) {
         refuse(core::findSetting(list, key), "--set", key);
     }
 }
+
+/// Whoever asks for nothing but the flight wants to see it.
+bool wantsWindow(PlayTexts const& texts) {
+    bool const writes = !(texts.log.empty() && texts.exported.empty() && texts.report.empty() && texts.screenshot.empty());
+    return !texts.headless && !writes && platform::hasDisplay();
+}
 }  // namespace
 
 PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& texts,
-                          CommonOptions const& common) {
+                          CommonOptions const& given) {
+    CommonOptions common = given;
     PlayOptions options;
     options.run = runOptions(texts, common);
     refuseAnotherFlight(common);
-    options.run.headless = true;
-    options.run.noRender = options.run.noRender || texts.screenshot.empty();
+    options.run.watch = wantsWindow(texts);
+    options.run.headless = !options.run.watch;
+    if (options.run.watch) {
+        usePlayerFiles(common, options.run);
+        options.run.save.clear();  // what was delivered was counted when it was flown
+        options.run.settings = common.settings;
+        options.run.settings.weather.live = false;
+    }
+    options.run.noRender = options.run.headless && texts.screenshot.empty();
     Replay replay = readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
     options.run.ticks = replay.ticks;
     options.run.settings.flight = replay.plan.simulation.settings;

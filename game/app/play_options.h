@@ -22,6 +22,7 @@ struct PlayTexts {
 /// How a flight is run and what is written about it.
 struct RunOptions {
     bool headless = false, noRender = false;
+    bool watch = false;              // a replay in a window
     std::optional<long long> ticks;  // none: until the window closes
     double frameRate = 60.0;         // frames of simulated time a second
     int workers = 1;

@@ -74,6 +74,13 @@ void Session::tick() {
     if (simulation_.tick() % core::kTicksPerSecond == 0) hashes_.push_back(simulation_.stateHash());
 }
 
+void Session::goTo(Moment const& moment) {
+    CHECK(!courier_ && !options_.log && !options_.track && !options_.weather, "only a script can be gone through both ways");
+    simulation_.goTo(moment.simulation);
+    scriptDone_ = moment.scriptDone;
+    inputs_.assign(options_.script.begin(), options_.script.begin() + static_cast<std::ptrdiff_t>(scriptDone_));
+}
+
 void Session::askCourier() {
     ui::InputSample const sample = courier_->decide(instruments(simulation_));
     if (sample == sample_) return;

@@ -41,6 +41,15 @@ public:
     /// One tick: what is due of the script, the bot at 20 Hz, the simulation, log and hash.
     void tick();
 
+    /// A moment of a flight that is all script, neither logged nor steered by the bot.
+    struct Moment {
+        Simulation::Moment simulation;
+        std::size_t scriptDone = 0;
+    };
+    Moment moment() const { return {simulation_.moment(), scriptDone_}; }
+    /// Of a session with the same plan and script. The report's hashes remain those of what was flown.
+    void goTo(Moment const& moment);
+
     Simulation const& simulation() const { return simulation_; }
     std::vector<FlightEventAt> takeEvents() { return simulation_.takeEvents(); }
     World& world() { return world_; }

@@ -165,6 +165,26 @@ core::AirFunction Simulation::airAtAnyTime() const {
     };
 }
 
+Simulation::Moment Simulation::moment() const {
+    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, world_.held()};
+}
+
+void Simulation::goTo(Moment const& moment) {
+    aircraft_.restore(moment.aircraft);
+    before_ = moment.before;
+    delivery_ = moment.delivery;
+    settings_ = moment.settings;
+    sample_ = moment.sample;
+    stick_ = moment.stick;
+    tick_ = moment.tick;
+    clockTick_ = moment.clockTick;
+    clockUtc_ = moment.clockUtc;
+    clockRate_ = moment.clockRate;
+    crashed_ = moment.crashed;
+    world_.takeBack(moment.weather);
+    events_.clear();
+}
+
 std::vector<FlightEventAt> Simulation::takeEvents() { return std::exchange(events_, {}); }
 
 std::string Simulation::stateHash() const {

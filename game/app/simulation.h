@@ -74,6 +74,23 @@ public:
     std::vector<Crash> const& crashed() const { return crashed_; }
     int crashes() const { return static_cast<int>(crashed_.size()); }
 
+    /// All that the flight goes on from, bit for bit.
+    struct Moment {
+        flight::AircraftState aircraft, before;
+        delivery::Delivery delivery;
+        FlightSettings settings;
+        ui::InputSample sample;
+        ui::Stick stick;
+        long long tick = 0, clockTick = 0;
+        core::UtcSeconds clockUtc = 0.0;
+        double clockRate = 1.0;
+        std::vector<Crash> crashed;
+        World::Held weather;
+    };
+    Moment moment() const;
+    /// Of a simulation with the same options. Events not yet taken go.
+    void goTo(Moment const& moment);
+
     /// The events since the last call, in order.
     std::vector<FlightEventAt> takeEvents();
     /// 16 hex digits over everything that the flight's future depends on.

@@ -208,7 +208,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.camera.worldFromCamera = view.camera.worldFromCamera;
     snapshot.camera.horizontalFov = view.camera.horizontalFov;
     snapshot.graphics = settings.graphics;
-    snapshot.clouds = settings.flight.clouds;
+    snapshot.clouds = simulation.settings().clouds;
     render::applyQuality(settings.graphics.quality, snapshot.graphics, snapshot.clouds);
     snapshot.time = view.utc;
     snapshot.simulationSeconds = simulation.seconds();

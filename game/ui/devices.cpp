@@ -136,6 +136,15 @@ std::vector<HudPrompt> Devices::firstPrompts() const {
             {keyLabel(Key::h), "all keys"}};
 }
 
+std::vector<HudPrompt> Devices::replayPrompts() const {
+    using platform::keyLabel;
+    return {{keyLabel(Key::space), "pause, play"},
+            {keyLabel(Key::a) + " " + keyLabel(Key::d), "10 s back, on"},
+            {keyLabel(Key::w) + " " + keyLabel(Key::s), "faster, slower"},
+            {keyLabel(Key::c), "camera"},
+            {keyLabel(Key::escape), "leave"}};
+}
+
 std::vector<KeyHelp> keyHelp() {
     auto const k = [](Key key) { return platform::keyLabel(key); };
     return {
