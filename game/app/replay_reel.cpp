@@ -7,7 +7,8 @@
 
 namespace luftpost::app {
 namespace {
-constexpr long long kMostMoments = 4000;  // some 8 KB each
+constexpr long long kMostMoments = 6000;                          // of 4.4 KB
+constexpr long long kLeastApart = core::kTicksPerSecond / 4;  // ticks, flown within a frame
 
 bool isNoted(FlightEvent event) {
     return event == FlightEvent::released || event == FlightEvent::delivered || event == FlightEvent::lost || event == FlightEvent::crashed ||
@@ -16,7 +17,7 @@ bool isNoted(FlightEvent event) {
 }  // namespace
 
 ReplayReel::ReplayReel(SessionOptions const& flight, long long ticks)
-    : session_{flight}, ticks_{ticks}, apart_{std::max<long long>(core::kTicksPerSecond, ticks / kMostMoments)} {
+    : session_{flight}, ticks_{ticks}, apart_{std::max(kLeastApart, ticks / kMostMoments)} {
     keep();
     thread_ = std::jthread{[this](std::stop_token const& stop) { fly(stop); }};
 }

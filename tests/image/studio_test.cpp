@@ -10,35 +10,12 @@
 #include "engine/gl/context.h"
 #include "game/app/game.h"
 #include "game/ui/studio_page.h"
-#include "tests/gl/virtual_screen.h"
+#include "tests/image/typed_window.h"
 
 namespace {
 using namespace luftpost;
 using platform::Key;
-
-/// A window whose keys the test presses.
-class TypedWindow : public platform::Surface {
-public:
-    explicit TypedWindow(glm::ivec2 const& size) : window_{platform::openWindow({.size = size, .verticalSync = false})} {}
-    void makeCurrent() override { window_->makeCurrent(); }
-    void swap() override { window_->swap(); }
-    glm::ivec2 size() const override { return window_->size(); }
-    bool hasWindow() const override { return true; }
-    platform::Input const& poll() override {
-        window_->poll();
-        input_.keys.clear();
-        for (Key key : typed_) input_.keys.push_back({.key = key, .pressed = true});
-        typed_.clear();
-        return input_;
-    }
-    void type(Key key) { typed_.push_back(key); }
-    void hold(Key key, bool on) { input_.held[static_cast<std::size_t>(key)] = on; }
-
-private:
-    std::unique_ptr<platform::Surface> window_;
-    platform::Input input_;
-    std::vector<Key> typed_;
-};
+using test::TypedWindow;
 
 class Studio : public ::testing::Test {
 protected:
