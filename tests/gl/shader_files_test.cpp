@@ -41,6 +41,18 @@ std::pair<int, std::string> run(std::string const& command) {
     return {pclose(pipe), output};
 }
 
+TEST(ShaderFiles, GiveEveryTextureOfAProgramAUnitOfItsOwn) {
+    std::regex const binding{R"(layout\(binding = (\d+)\) uniform \w*sampler\w+ (\w+))"};
+    for (auto const& entry : fs::directory_iterator{kShaders / "pass"}) {
+        std::string const text = resolved("pass/" + entry.path().filename().string()).text;
+        std::map<std::string, std::string> names;
+        for (std::sregex_iterator match{text.begin(), text.end(), binding}, end; match != end; ++match) {
+            auto const [known, fresh] = names.emplace((*match)[1], (*match)[2]);
+            EXPECT_TRUE(fresh) << entry.path().filename() << ": unit " << known->first << " of " << known->second << " and " << (*match)[2];
+        }
+    }
+}
+
 TEST(ShaderFiles, AreStrictCoreGlsl) {
     ASSERT_EQ(run("glslangValidator --version").first, 0) << "expected glslangValidator (Debian: glslang-tools)";
     fs::path const folder = fs::temp_directory_path() / fmt::format("luftpost_glsl_{}", getpid());
