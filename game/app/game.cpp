@@ -140,6 +140,7 @@ ImDrawData const* Game::drawScreen(FrameStep const& step) {
         drawStudio();
         return screen_.end();
     }
+    if (replay_) drawReplay();  // before what shows where it is
     if (photo_) ui::drawPhoto(photo_->state());
     if (settings_.hud.air) drawAir();
     ui::drawHud(hudState());

@@ -150,7 +150,6 @@ void Game::saveStudioPicture() {
 }
 
 void Game::drawPages() {
-    if (replay_) drawReplay();
     if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
     if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;

@@ -58,13 +58,14 @@ void drawNote(StudioPage const& page) {
     ImGui::PopStyleColor();
 }
 
+/// In the place of the button, as high as it.
 void drawProgress(StudioPage const& page, StudioAnswer& answer) {
-    ImGui::TextUnformatted("The picture is drawn part by part.");
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour::kYellow);
-    ImGui::ProgressBar(static_cast<float>(*page.saved), {-1.0f, 26.0f * unit()}, "");
+    answer.stop = ImGui::Button("Stop", {70.0f * unit(), 34.0f * unit()});
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::ProgressBar(static_cast<float>(*page.saved), {-1.0f, 34.0f * unit()}, "");
     ImGui::PopStyleColor();
     drawNumberText("%.0f %%", 100.0 * *page.saved);
-    answer.stop = ImGui::Button("Stop", {-1.0f, 34.0f * unit()});
 }
 }  // namespace
 
@@ -82,16 +83,15 @@ StudioAnswer drawStudioPage(StudioPage const& page) {
     ImGui::SetNextWindowSize({372.0f * unit(), 0.0f});
     bool open = true;
     ImGui::Begin("Studio", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
-    if (page.saved) {
-        drawProgress(page, answer);
-    } else {
-        drawHelp(fmt::format("The flight stands still. {} move the camera, Shift fast; the right mouse button looks around, the wheel zooms.", page.moveCaps));
-        drawView(answer.view);
-        ImGui::Separator();
-        drawKind(page, answer.view);
-        answer.save = ImGui::Button("Take the picture (F12)", {-1.0f, 34.0f * unit()});
-        drawNote(page);
-    }
+    ImGui::BeginDisabled(page.saved.has_value());
+    drawHelp(fmt::format("The flight stands still. {} move the camera, Shift fast; the right mouse button looks around, the wheel zooms.", page.moveCaps));
+    drawView(answer.view);
+    ImGui::Separator();
+    drawKind(page, answer.view);
+    ImGui::EndDisabled();
+    if (page.saved) drawProgress(page, answer);
+    else answer.save = ImGui::Button("Take the picture (F12)", {-1.0f, 34.0f * unit()});
+    drawNote(page);
     ImGui::End();
     answer.close = !open;
     return answer;
