@@ -59,6 +59,13 @@ Image withChannels(Image const& image, int channels) {
     return result;
 }
 
+OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec{width, height, channels, type};
+    if (channels == 1) spec.channelnames = {"Y"};
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    return spec;
+}
+
 template <class T>
 void write(std::filesystem::path const& file, char const* format, ImageOf<T> const& image, OIIO::TypeDesc type) {
     CHECK(image.values.size() == image.index(0, image.height, 0) && image.width > 0, "an image of {} x {} with {} values",
@@ -67,9 +74,7 @@ void write(std::filesystem::path const& file, char const* format, ImageOf<T> con
     OIIO::Filesystem::IOVecOutput memory{bytes};
     auto const output = OIIO::ImageOutput::create(format);
     if (!output) throw core::Error{file.string(), "", "expected OpenImageIO to write this format: " + OIIO::geterror()};
-    OIIO::ImageSpec spec{image.width, image.height, image.channels, type};
-    if (image.channels == 1) spec.channelnames = {"Y"};
-    spec.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::ImageSpec const spec = specOf(image.width, image.height, image.channels, type);
     output->set_ioproxy(&memory);
     if (!output->open(std::string{"image."} + format, spec) || !output->write_image(type, image.values.data()) ||
         !output->close())
@@ -96,5 +101,46 @@ void writePng(std::filesystem::path const& file, Image const& image) {
 }
 void writeExr(std::filesystem::path const& file, FloatImage const& image) {
     write(file, "exr", image, OIIO::TypeDesc::FLOAT);
+}
+
+struct ImageWriter::Parts {
+    std::filesystem::path file, fresh;
+    std::unique_ptr<OIIO::ImageOutput> output;
+    int width, height;
+    int rows = 0;  // written so far
+
+    template <class T>
+    void add(ImageOf<T> const& band, OIIO::TypeDesc type) {
+        CHECK(output && band.width == width && band.channels == 4 && rows + band.height <= height, "a band of {} x {} after {} rows of {} x {}",
+              band.width, band.height, rows, width, height);
+        if (!output->write_scanlines(rows, rows + band.height, 0, type, band.values.data())) refuse();
+        rows += band.height;
+    }
+    [[noreturn]] void refuse() const { throw core::Error{file.string(), "", "expected to write an image: " + output->geterror()}; }
+};
+
+ImageWriter::ImageWriter(std::filesystem::path const& file, int width, int height)
+    : parts_{std::make_unique<Parts>(Parts{file, file.string() + ".new", nullptr, width, height})} {
+    bool const linear = file.extension() == ".exr";
+    parts_->output = OIIO::ImageOutput::create(linear ? "exr" : "png");
+    if (!parts_->output) throw core::Error{file.string(), "", "expected OpenImageIO to write this format: " + OIIO::geterror()};
+    if (!parts_->output->open(parts_->fresh.string(), specOf(width, height, 4, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8))) parts_->refuse();
+}
+
+ImageWriter::~ImageWriter() {
+    if (!parts_->output) return;
+    parts_->output->close();
+    std::error_code ignored;
+    std::filesystem::remove(parts_->fresh, ignored);
+}
+
+void ImageWriter::add(Image const& band) { parts_->add(band, OIIO::TypeDesc::UINT8); }
+void ImageWriter::add(FloatImage const& band) { parts_->add(band, OIIO::TypeDesc::FLOAT); }
+
+void ImageWriter::finish() {
+    CHECK(parts_->rows == parts_->height, "{} rows of {}", parts_->rows, parts_->height);
+    if (!parts_->output->close()) parts_->refuse();
+    parts_->output.reset();
+    core::moveIntoPlace(parts_->fresh, parts_->file);
 }
 }  // namespace luftpost::assets

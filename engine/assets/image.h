@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,4 +39,24 @@ FloatImage readFloatImage(std::filesystem::path const& file);
 void writePng(std::filesystem::path const& file, Image const& image);
 /// 32-bit float; channels named Y for one, R,G,B for three and R,G,B,A for four.
 void writeExr(std::filesystem::path const& file, FloatImage const& image);
+
+/// A picture of 4 channels that is never whole in memory: written band by band from the top, then renamed. The ending tells the kind, .png of bytes or
+/// .exr of floats. One thread at a time.
+class ImageWriter {
+public:
+    /// Throws core::Error when the file cannot be made.
+    ImageWriter(std::filesystem::path const& file, int width, int height);
+    /// What was not finished goes.
+    ~ImageWriter();
+
+    /// The next rows, as wide as the picture. Throw core::Error when the disk refuses.
+    void add(Image const& band);
+    void add(FloatImage const& band);
+    /// After the last row. Throws core::Error.
+    void finish();
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 }  // namespace luftpost::assets

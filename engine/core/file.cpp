@@ -70,6 +70,13 @@ void writeFileAtomically(fs::path const& file, std::string_view bytes) {
     if (std::rename(fresh.c_str(), file.c_str()) != 0) throw systemError(file, "cannot write");
 }
 
+void moveIntoPlace(fs::path const& fresh, fs::path const& file) {
+    int const descriptor = ::open(fresh.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) throw systemError(file, "cannot write");
+    writeAndClose(descriptor, file, {}, true);
+    if (std::rename(fresh.c_str(), file.c_str()) != 0) throw systemError(file, "cannot write");
+}
+
 void checkOutputFolder(std::string_view option, fs::path const& file) {
     std::error_code ignored;
     fs::path const folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};

@@ -15,6 +15,9 @@ std::string readFile(std::filesystem::path const& file, std::size_t most = std::
 /// place.
 void writeFileAtomically(std::filesystem::path const& file, std::string_view bytes);
 
+/// Takes a file that was written beside its place: flushes it to the disk and renames it.
+void moveIntoPlace(std::filesystem::path const& fresh, std::filesystem::path const& file);
+
 /// Throws when the folder that `file` would lie in does not exist or is no folder, or `file` itself is a
 /// folder. `option` is named in the message ("--log").
 void checkOutputFolder(std::string_view option, std::filesystem::path const& file);

@@ -41,11 +41,11 @@ void CloudPass::describe(Snapshot const& snapshot) {
 
 void CloudPass::prepare(FrameContext const& context) {
     scene_.bind();
-    shadow_.draw(context, scene_);
+    if (!context.tile) shadow_.draw(context, scene_);
     shadow_.bind();
-    depths_.draw(scene_);
+    if (!context.tile) depths_.draw(scene_);
     depths_.bind();
-    shade_.draw(context, scene_);
+    if (!context.tile) shade_.draw(context, scene_);
     shade_.bind();
 }
 

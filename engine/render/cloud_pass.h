@@ -22,7 +22,7 @@ public:
 
     /// Cloud map and block of the frame.
     void describe(Snapshot const& snapshot);
-    /// The shadow map and the depths toward the light, and all bindings of the clouds.
+    /// The shadow map and the depths toward the light (a tile has those of the whole), and all bindings of the clouds.
     void prepare(FrameContext const& context);
     /// One ray of each block.
     void march(FrameContext const& context);

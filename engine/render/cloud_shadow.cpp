@@ -19,7 +19,7 @@ CloudShadow::CloudShadow(gl::ProgramLibrary& programs)
 void CloudShadow::place(Snapshot const& snapshot, CloudScene& scene) {
     glm::dvec2 const camera{snapshot.camera.positionWorld.x, snapshot.camera.positionWorld.z};
     glm::dvec2 const corner = glm::floor((camera - 0.5 * kWidth) / kStep + 0.5) * kStep;
-    whole_ = whole_ || snapshot.still || corner != corner_;
+    whole_ = whole_ || snapshot.still || scene.leapt() || corner != corner_;
     corner_ = corner;
     scene.setShadowPlace({glm::vec2{camera - corner}, 1.0f / static_cast<float>(kWidth), static_cast<float>(snapshot.place.altitude_m)});
 }

@@ -17,7 +17,7 @@ ExposurePass::ExposurePass(gl::ProgramLibrary& programs)
 }
 
 void ExposurePass::draw(FrameContext const& context) {
-    state_.bindStorage(kExposureBinding);
+    bind();
     context.targets.colour.bind(0);
     measure_.use();
     gl::dispatchOver((context.targets.size + glm::ivec2{kStride - 1}) / kStride, {8, 8});
@@ -26,4 +26,6 @@ void ExposurePass::draw(FrameContext const& context) {
     gl::dispatch({1, 1, 1});
     gl::barrier(gl::Barrier::storage);
 }
+
+void ExposurePass::bind() const { state_.bindStorage(kExposureBinding); }
 }  // namespace luftpost::render

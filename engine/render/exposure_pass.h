@@ -12,6 +12,8 @@ class ExposurePass {
 public:
     explicit ExposurePass(gl::ProgramLibrary& programs);
     void draw(FrameContext const& context);
+    /// Binds what the latest `draw` left.
+    void bind() const;
 
 private:
     gl::Program const& measure_;

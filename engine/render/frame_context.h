@@ -1,11 +1,13 @@
 // What a pass gets: the snapshot, the targets it draws into, the block it may fill before and read while drawing.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/texture.h"
 #include "engine/render/snapshot.h"
+#include "engine/render/tile.h"
 #include "shaders/shared/frame.glsl.h"
 
 namespace luftpost::render {
@@ -31,6 +33,10 @@ struct FrameContext {
     Targets& targets;
     std::uint64_t number = 0;   // of the frame since the renderer was made
     bool historyValid = false;  // the previous frame had the same projection, and this is no still
+    std::optional<Tile> tile{};  // what of the picture the targets hold; none: all of it
+
+    /// Pixels of the whole picture.
+    glm::ivec2 picture() const { return tile ? tile->picture : targets.size; }
 };
 
 /// Position relative to the frame's camera, as the GPU gets it (not bent yet).

@@ -115,11 +115,11 @@ void LandScene::update(FrameContext const& context) {
     Snapshot const& snapshot = context.snapshot;
     // Coarse meshes draw every 4th to 6th vertex: then every second sample is enough, and made four times as fast. Of a
     // small picture every third.
-    bool const small = context.targets.size.x * context.targets.size.y <= 100'000;
+    bool const small = context.picture().x * context.picture().y <= 100'000;
     int const step = snapshot.graphics.triangles > 600'000 ? 1 : small ? 3 : 2;
     bool const first = !land_ || land_->seed() != snapshot.seed || land_->base() != snapshot.place.altitude_m || streamer_->options().step != step;
     if (first) startOver(snapshot, step);
-    terrain::CameraView const view = cameraView(snapshot.camera, context.targets.size);
+    terrain::CameraView const view = cameraView(snapshot.camera, context.picture());
     take(snapshot.still ? streamer_->finish(view) : streamer_->update(view));
     if (!list_.whole) take(streamer_->finishKept(view));  // the first frame, or a jump across the world
     chooseMesh(snapshot.graphics.triangles);

@@ -16,19 +16,23 @@ PostPass::PostPass(gl::ProgramLibrary& programs)
       toneMap_{programs.graphics(gl::GraphicsStages{"fullscreen", "tone_map", ""})},
       finish_{programs.graphics(gl::GraphicsStages{"fullscreen", "finish", ""})} {}
 
-void PostPass::resize(glm::ivec2 const& size) {
-    if (size == size_) return;
-    size_ = size;
+void PostPass::takeLevels(glm::ivec2 const& picture) {
+    if (picture == picture_) return;
+    picture_ = picture;
     levels_.clear();
-    glm::ivec2 level = glm::max(size / 4, glm::ivec2{1});
+    glm::ivec2 level = glm::max(picture / 4, glm::ivec2{1});
     for (int i = 0; i < kBloomLevels; ++i, level = glm::max(level / 2, glm::ivec2{1}))
         levels_.emplace_back(gl::Format::rgba16f, level, 1, "bloom");
+}
+
+void PostPass::takeEncoded(glm::ivec2 const& size) {
+    if (size == encoded_.size()) return;
     encoded_ = gl::Texture2D{gl::Format::rgba16, size, 1, "encoded"};
     encodedTarget_ = gl::Framebuffer{{&encoded_}, nullptr, "encoded"};
 }
 
 void PostPass::drawBloom(FrameContext const& context) {
-    resize(context.targets.size);
+    takeLevels(context.targets.size);
     down_.use();
     gl::Texture2D const* finer = &context.targets.colour;
     for (gl::Texture2D const& level : levels_) {
@@ -51,6 +55,7 @@ void PostPass::drawBloom(FrameContext const& context) {
 }
 
 void PostPass::drawToneMap(FrameContext const& context, gl::Framebuffer const& display) {
+    takeEncoded(context.targets.size);
     gl::apply({});
     encodedTarget_.bind();
     toneMap_.use();

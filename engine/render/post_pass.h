@@ -12,17 +12,18 @@ public:
     explicit PostPass(gl::ProgramLibrary& programs);
 
     void drawBloom(FrameContext const& context);
-    /// Into `display`, whose size may differ from the HDR targets'.
+    /// With the latest bloom, which is the whole picture's, into `display`, whose size may differ from the HDR targets'.
     void drawToneMap(FrameContext const& context, gl::Framebuffer const& display);
 
 private:
-    void resize(glm::ivec2 const& size);
+    void takeLevels(glm::ivec2 const& picture);
+    void takeEncoded(glm::ivec2 const& size);
 
     gl::Program const& down_;
     gl::Program const& up_;
     gl::Program const& toneMap_;
     gl::Program const& finish_;
-    glm::ivec2 size_{0};
+    glm::ivec2 picture_{0};
     std::vector<gl::Texture2D> levels_;  // of the bloom: a quarter of the picture's size, an eighth, ...
     gl::Texture2D encoded_;
     gl::Framebuffer encodedTarget_;

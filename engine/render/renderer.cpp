@@ -29,6 +29,7 @@
 #include "engine/render/view.h"
 #include "engine/render/water_pass.h"
 #include "engine/render/weather_light_pass.h"
+#include "shaders/lib/camera.glsl"
 
 namespace luftpost::render {
 namespace {
@@ -37,10 +38,14 @@ constexpr unsigned kFrameBinding = 0;
 /// Square views of a panorama: a little over 90 degrees, so that their edges have neighbours to be filtered with.
 constexpr double kViewTangent = 1.02;
 
-/// The finished picture, in the size of the window.
+/// Pixels around a tile that are drawn with it and cut off: edges are smoothed over three, clouds and shafts look at their neighbours.
+constexpr int kTileMargin = 8;
+
+/// The finished picture, in the size of the window or of a tile.
 struct Display {
-    explicit Display(glm::ivec2 const& size)
-        : picture{gl::Format::rgba8, size, 1, "display"}, target{{&picture}, nullptr, "display"} {}
+    explicit Display(glm::ivec2 const& pixels)
+        : size{pixels}, picture{gl::Format::rgba8, pixels, 1, "display"}, target{{&picture}, nullptr, "display"} {}
+    glm::ivec2 size;
     gl::Texture2D picture;
     gl::Framebuffer target;
 };
@@ -56,17 +61,52 @@ glm::dquat viewOrientation(int view) {
     return glm::angleAxis(view == 4 ? quarter : -quarter, glm::dvec3{1, 0, 0});
 }
 
-/// GL's rows start at the bottom, an image's at the top.
+/// Whether rays of the tile may go through this view of the six; asked of a grid of rays, with a tenth to spare for those between.
+bool sees(Tile const& tile, Projection projection, int view) {
+    constexpr int kGrid = 32;
+    glm::dquat const viewFromWorld = glm::conjugate(viewOrientation(view));
+    for (int y = 0; y <= kGrid; ++y)
+        for (int x = 0; x <= kGrid; ++x) {
+            glm::vec2 const at = (glm::vec2{tile.corner} + glm::vec2{tile.size} * glm::vec2{x, y} / float{kGrid}) / glm::vec2{tile.picture};
+            glm::vec3 const ray = projection == Projection::dome ? glsl::domeRay(at) : glsl::panoramaRay(at);
+            glm::dvec3 const looked = viewFromWorld * glm::dvec3{ray};
+            if (-looked.z > 0.9 * std::max(std::abs(looked.x), std::abs(looked.y))) return true;
+        }
+    return false;
+}
+
+/// The part of a texture's pixels (`width` in a row) that is asked for. GL's rows start at the bottom, an image's at the top.
 template <class T>
-assets::ImageOf<T> flipped(std::vector<T> const& values, glm::ivec2 const& size) {
+assets::ImageOf<T> imageOf(std::vector<T> const& values, int width, glm::ivec2 const& corner, glm::ivec2 const& size) {
     assets::ImageOf<T> image{size.x, size.y, 4, {}};
-    std::size_t const row = static_cast<std::size_t>(size.x) * 4;
-    image.values.reserve(values.size());
+    image.values.reserve(image.index(0, size.y, 0));
     for (int y = size.y - 1; y >= 0; --y) {
-        auto const start = values.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
-        image.values.insert(image.values.end(), start, start + static_cast<std::ptrdiff_t>(row));
+        auto const start = values.begin() + 4 * (static_cast<std::ptrdiff_t>(corner.y + y) * width + corner.x);
+        image.values.insert(image.values.end(), start, start + 4 * size.x);
     }
     return image;
+}
+
+assets::Image opaque(assets::Image image) {
+    for (std::size_t i = 3; i < image.values.size(); i += 4) image.values[i] = 255;
+    return image;
+}
+
+/// From what the HDR target holds to radiance and the clouds' cover.
+assets::FloatImage radiance(assets::FloatImage image, float preExposure) {
+    float const scale = 1.0f / preExposure;
+    for (std::size_t i = 0; i < image.values.size(); i += 4) {
+        for (std::size_t c = 0; c < 3; ++c) image.values[i + c] *= scale;
+        image.values[i + 3] = 1.0f - image.values[i + 3];
+    }
+    return image;
+}
+
+/// The targets of one size, made anew where they have another.
+template <class T>
+T& sized(std::optional<T>& targets, glm::ivec2 const& size) {
+    if (!targets || targets->size != size) targets.emplace(size);
+    return *targets;
 }
 }  // namespace
 
@@ -91,9 +131,10 @@ struct Renderer::Parts {
           frameBuffer{sizeof(glsl::FrameBlock), "frame"},
           display{std::in_place, wanted.size} {}
 
-    void begin(Snapshot const& snapshot);
+    void begin(Snapshot const& snapshot, Tile const& tile);
     void upload() { frameBuffer.update(gl::bytesOf(frame)); }
     void clear(Targets const& to) const;
+    void drawScene(FrameContext const& context);
     void drawOpaque(FrameContext const& context);
     void drawLand(FrameContext const& context);
     void drawAround(FrameContext const& context);
@@ -129,6 +170,10 @@ struct Renderer::Parts {
     std::optional<Targets> targets;
     std::optional<Targets> square;  // of a panorama's views
     std::optional<Display> display;
+    glsl::FrameBlock shown{};       // of the picture in the display
+    std::optional<Targets> tileTargets;
+    std::optional<Display> tileDisplay;
+    Tile tile, tileDrawn;           // asked for, and with its margin
     std::optional<ViewHistory> history;
     Projection projection = Projection::perspective;
     std::uint64_t number = 0;
@@ -158,28 +203,64 @@ void Renderer::resize(glm::ivec2 const& size) {
 
 void Renderer::draw(Snapshot const& snapshot) {
     Parts& p = *parts_;
-    p.begin(snapshot);
-    FrameContext const context{snapshot, p.frame, *p.targets, p.number, p.historyValid};
+    glm::ivec2 const size = scaled(p.options.size, snapshot.graphics.resolution);
+    p.historyValid = !snapshot.still && p.history && p.targets && p.projection == snapshot.camera.projection;
+    p.begin(snapshot, wholeOf(size));
+    FrameContext const context{snapshot, p.frame, sized(p.targets, size), p.number, p.historyValid};
     auto const pass = [&](char const* name, auto&& draw) { p.timer.pass(name, draw); };
 
-    pass("sky tables", [&] { p.sky.draw(context); });
-    pass("cloud shadow", [&] { p.clouds.prepare(context); });
-    pass("model shadow", [&] { p.models.drawShadow(context); });
-    pass("clear", [&] { p.clear(*p.targets); });
-    p.drawOpaque(context);
-    pass("composite", [&] { p.composite.draw(context); });
-    pass("cloud march", [&] { p.clouds.march(context); });
-    pass("cloud resolve", [&] { p.clouds.resolve(context); });
-    pass("cloud composite", [&] { p.clouds.composite(context); });
-    pass("weather light", [&] { p.weatherLight.draw(context, p.clouds); });
-    pass("precipitation", [&] { p.precipitation.draw(context); });
-    pass("smoke", [&] { p.puffs.draw(context); });
-    pass("glass", [&] { p.models.drawBlended(context); });
+    p.drawScene(context);
     pass("exposure", [&] { p.exposure.draw(context); });
     pass("bloom", [&] { p.post.drawBloom(context); });
     pass("tone map", [&] { p.post.drawToneMap(context, p.display->target); });
     pass("menus", [&] { p.drawUi(snapshot); });
+    p.shown = p.frame;
+    p.projection = snapshot.camera.projection;
+    p.history = ViewHistory{clipFromWorld(snapshot.camera, static_cast<double>(size.x) / size.y), snapshot.camera.positionWorld};
     if (p.timing) p.times = p.timer.collect();
+}
+
+void Renderer::drawMenus(Snapshot const& snapshot) {
+    Parts& p = *parts_;
+    CHECK(p.targets, "no frame was drawn yet");
+    p.frame = p.shown;
+    p.upload();
+    p.frameBuffer.bindUniform(kFrameBinding);
+    p.exposure.bind();
+    p.post.drawToneMap(FrameContext{snapshot, p.frame, *p.targets}, p.display->target);
+    p.drawUi(snapshot);
+}
+
+void Renderer::drawTile(Snapshot const& snapshot, Tile const& tile) {
+    Parts& p = *parts_;
+    CHECK(p.targets && snapshot.still, "a tile is a part of a still that was drawn whole");
+    p.tile = tile;
+    p.tileDrawn = withMargin(tile, kTileMargin);
+    p.historyValid = false;
+    p.history.reset();
+    p.begin(snapshot, p.tileDrawn);
+    FrameContext const context{snapshot, p.frame, sized(p.tileTargets, p.tileDrawn.size), p.number, false, p.tileDrawn};
+    p.drawScene(context);
+    p.exposure.bind();
+    p.post.drawToneMap(context, sized(p.tileDisplay, p.tileDrawn.size).target);
+}
+
+/// From the tables to the finished HDR picture.
+void Renderer::Parts::drawScene(FrameContext const& context) {
+    auto const pass = [&](char const* name, auto&& draw) { timer.pass(name, draw); };
+    pass("sky tables", [&] { sky.draw(context); });
+    pass("cloud shadow", [&] { clouds.prepare(context); });
+    pass("model shadow", [&] { models.drawShadow(context); });
+    pass("clear", [&] { clear(context.targets); });
+    drawOpaque(context);
+    pass("composite", [&] { composite.draw(context); });
+    pass("cloud march", [&] { clouds.march(context); });
+    pass("cloud resolve", [&] { clouds.resolve(context); });
+    pass("cloud composite", [&] { clouds.composite(context); });
+    pass("weather light", [&] { weatherLight.draw(context, clouds); });
+    pass("precipitation", [&] { precipitation.draw(context); });
+    pass("smoke", [&] { puffs.draw(context); });
+    pass("glass", [&] { models.drawBlended(context); });
 }
 
 /// What all projections draw before the sky is put behind it.
@@ -203,22 +284,17 @@ void Renderer::Parts::drawLand(FrameContext const& context) {
     timer.pass("water", [&] { water.draw(context, land); });
 }
 
-void Renderer::Parts::begin(Snapshot const& snapshot) {
+void Renderer::Parts::begin(Snapshot const& snapshot, Tile const& part) {
     reloadShaders();
-    glm::ivec2 const size = scaled(options.size, snapshot.graphics.resolution);
-    historyValid = !snapshot.still && targets && projection == snapshot.camera.projection && history;
-    if (!targets || targets->size != size) targets.emplace(size);
     if (!historyValid) history.reset();
-    projection = snapshot.camera.projection;
     ++number;
-    describeView(snapshot, size, number, history, frame);
+    describeView(snapshot, part, number, history, frame);
     sky.describe(snapshot, frame);
     clouds.describe(snapshot);
     weatherLight.describe(snapshot, frame);
     models.describe(snapshot, frame);
     upload();
     frameBuffer.bindUniform(kFrameBinding);
-    history = ViewHistory{clipFromWorld(snapshot.camera, static_cast<double>(size.x) / size.y), snapshot.camera.positionWorld};
     timer.setOn(timing);
 }
 
@@ -230,11 +306,12 @@ void Renderer::Parts::clear(Targets const& to) const {
 
 /// Rasterised passes know perspective alone: six square views, resampled by ray.
 void Renderer::Parts::drawAround(FrameContext const& context) {
-    int const side = std::max(context.targets.size.x / 4, context.targets.size.y / 2);
-    if (!square || square->size.x != side) square.emplace(glm::ivec2{side});
+    int const side = std::max(context.picture().x / 4, context.picture().y / 2);
+    sized(square, glm::ivec2{side});
     glsl::FrameBlock const whole = frame;
     int const views = context.snapshot.camera.projection == Projection::dome ? 5 : 6;
     for (int view = 0; view < views; ++view) {
+        if (context.tile && !sees(*context.tile, context.snapshot.camera.projection, view)) continue;
         drawView(context, view);
         frame = whole;
         upload();
@@ -256,7 +333,7 @@ void Renderer::Parts::drawView(FrameContext const& context, int view) {
     looking.camera.projection = Projection::perspective;
     looking.camera.horizontalFov = 2.0 * std::atan(kViewTangent);
     looking.camera.worldFromCamera = viewOrientation(view);
-    describeView(looking, square->size, number, std::nullopt, frame);
+    describeView(looking, wholeOf(square->size), number, std::nullopt, frame);
     upload();
     clear(*square);
     drawOpaque(FrameContext{looking, frame, *square, number, false});
@@ -276,20 +353,27 @@ void Renderer::Parts::reloadShaders() {
 void Renderer::present(glm::ivec2 const& windowSize) { parts_->display->target.copyToWindow(windowSize); }
 
 assets::Image Renderer::readPixels() {
-    assets::Image image = flipped(parts_->display->picture.readBytes(), parts_->options.size);
-    for (std::size_t i = 3; i < image.values.size(); i += 4) image.values[i] = 255;
-    return image;
+    glm::ivec2 const size = parts_->display->size;
+    return opaque(imageOf(parts_->display->picture.readBytes(), size.x, glm::ivec2{0}, size));
 }
 
 assets::FloatImage Renderer::readHdr() {
     CHECK(parts_->targets, "no frame was drawn yet");
-    assets::FloatImage image = flipped(parts_->targets->colour.readFloats(), parts_->targets->size);
-    float const scale = 1.0f / parts_->frame.exposure.x;
-    for (std::size_t i = 0; i < image.values.size(); i += 4) {
-        for (std::size_t c = 0; c < 3; ++c) image.values[i + c] *= scale;
-        image.values[i + 3] = 1.0f - image.values[i + 3];
-    }
-    return image;
+    glm::ivec2 const size = parts_->targets->size;
+    return radiance(imageOf(parts_->targets->colour.readFloats(), size.x, glm::ivec2{0}, size), parts_->shown.exposure.x);
+}
+
+assets::Image Renderer::readTilePixels() {
+    Parts const& p = *parts_;
+    CHECK(p.tileDisplay, "no tile was drawn yet");
+    return opaque(imageOf(p.tileDisplay->picture.readBytes(), p.tileDrawn.size.x, p.tile.corner - p.tileDrawn.corner, p.tile.size));
+}
+
+assets::FloatImage Renderer::readTileHdr() {
+    Parts const& p = *parts_;
+    CHECK(p.tileTargets, "no tile was drawn yet");
+    auto part = imageOf(p.tileTargets->colour.readFloats(), p.tileDrawn.size.x, p.tile.corner - p.tileDrawn.corner, p.tile.size);
+    return radiance(std::move(part), p.frame.exposure.x);
 }
 
 void Renderer::setTiming(bool on) {

@@ -9,6 +9,7 @@
 
 #include "engine/assets/image.h"
 #include "engine/render/snapshot.h"
+#include "engine/render/tile.h"
 #include "engine/terrain/streamer.h"
 
 namespace luftpost::assets {
@@ -51,6 +52,12 @@ public:
 
     /// Draws the whole picture into the renderer's own target.
     void draw(Snapshot const& snapshot);
+    /// Puts the snapshot's menus over the picture that `draw` drew last, in place of those it had.
+    void drawMenus(Snapshot const& snapshot);
+    /// Draws a part of a still that is too large to be drawn at once, into targets of its own. Its exposure, glow and tables of light are those
+    /// of the picture that `draw` drew last: the same snapshot at any size.
+    void drawTile(Snapshot const& snapshot, Tile const& tile);
+
     /// Copies the finished picture to the window's framebuffer of `windowSize` pixels.
     void present(glm::ivec2 const& windowSize);
 
@@ -59,6 +66,9 @@ public:
     /// The HDR picture before tone map and menus, preExposure divided out: R, G, B, A = 1 - transmittance of the clouds
     /// (0 outside a dome, with black).
     assets::FloatImage readHdr();
+    /// The same of the latest tile.
+    assets::Image readTilePixels();
+    assets::FloatImage readTileHdr();
 
     /// Timing of passes by a pair of timestamps around each; on software GL also a glFinish before each, since the
     /// driver otherwise works later than it says. Slows the frame; off at first.

@@ -103,7 +103,8 @@ void SkyPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.exposure.y = light_.exposure * frame.exposure.w;
 }
 
-void SkyPass::draw(FrameContext const&) {
+void SkyPass::draw(FrameContext const& context) {
+    if (context.tile) return bind();
     if (viewDirty_) buffer_.update(gl::bytesOf(block_));
     bind();
     if (airDirty_) {

@@ -18,7 +18,7 @@ public:
 
     /// Fills the frame block's light, its direction and the exposure's start.
     void describe(Snapshot const& snapshot, glsl::FrameBlock& frame);
-    /// Makes what has changed and binds block and tables for all passes of the frame.
+    /// Makes what has changed and binds block and tables for all passes of the frame. A tile has the tables of the whole.
     void draw(FrameContext const& context);
 
     sky::SkyLight const& light() const { return light_; }

@@ -89,6 +89,7 @@ struct Snapshot {
     core::UtcSeconds time = 0.0;               // of the weather's clock
     double simulationSeconds = 0.0;            // what moves waves, trees and flags
     double frameSeconds = 1.0 / 60.0;          // since the previous frame; 0 when paused
+    double eyeSeconds = 1.0 / 60.0;            // of the player's time since then: the eye adapts also while the flight stands still
     unsigned seed = 1;
     core::Place place;
 

@@ -26,7 +26,7 @@ int projectionMode(Projection projection) {
 
 void describeTime(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.time = glm::vec4{glm::dvec4{std::fmod(snapshot.simulationSeconds, 3600.0), snapshot.frameSeconds,
-                                      std::fmod(snapshot.time, 86400.0), 0.0}};
+                                      std::fmod(snapshot.time, 86400.0), snapshot.eyeSeconds}};
     // Waves take minutes to grow: they go by the mean wind over the ground, neither by gusts nor by that of the camera's height.
     glm::vec2 const wind{snapshot.weather.windSurface};
     frame.wind = {wind.x, 0.0f, -wind.y, static_cast<float>(snapshot.weather.gust)};
@@ -37,21 +37,22 @@ void describeTime(Snapshot const& snapshot, glsl::FrameBlock& frame) {
 }
 }  // namespace
 
-void describeView(Snapshot const& snapshot, glm::ivec2 const& size, std::uint64_t number,
+void describeView(Snapshot const& snapshot, Tile const& tile, std::uint64_t number,
                   std::optional<ViewHistory> const& history, glsl::FrameBlock& frame) {
     Camera const& camera = snapshot.camera;
-    glm::dvec2 const pixels{size};
-    double const aspect = pixels.x / pixels.y;
-    glm::dmat4 const clip = clipFromWorld(camera, aspect);
+    glm::dvec2 const picture{tile.picture};
+    double const aspect = picture.x / picture.y;
+    glm::dmat4 const clip = tileFromPicture(tile) * clipFromWorld(camera, aspect);
     glm::dvec3 const moved = history ? camera.positionWorld - history->positionWorld : glm::dvec3{0.0};
     glm::dmat4 const before = history ? history->clipFromWorld : clip;
     frame.clipFromWorld = glm::mat4{clip};
     frame.worldFromClip = glm::mat4{glm::inverse(clip)};
     frame.previousClipFromWorld = glm::mat4{before * glm::translate(glm::dmat4{1.0}, moved)};
     frame.worldFromCamera = glm::mat4{glm::mat4_cast(camera.worldFromCamera)};
-    frame.viewport = glm::vec4{glm::dvec4{pixels, 1.0 / pixels.x, 1.0 / pixels.y}};
+    frame.viewport = glm::vec4{glm::dvec4{tile.size, 1.0 / picture.x, 1.0 / picture.y}};
+    frame.tile = glm::vec4{glm::vec2{tile.corner}, 0.0f, 0.0f};
     double const tangent = std::tan(0.5 * camera.horizontalFov);
-    frame.projection = glm::vec4{glm::dvec4{tangent, tangent / aspect, camera.near, 2.0 * tangent / pixels.x}};
+    frame.projection = glm::vec4{glm::dvec4{tangent, tangent / aspect, camera.near, 2.0 * tangent / picture.x}};
     frame.mode = glm::ivec4{projectionMode(camera.projection),
                             (snapshot.debug.normals ? glsl::kDebugNormals : 0) |
                                 (snapshot.debug.wireframe ? glsl::kDebugWireframe : 0),

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/render/snapshot.h"
+#include "engine/render/tile.h"
 #include "shaders/shared/frame.glsl.h"
 
 namespace luftpost::render {
@@ -16,7 +17,7 @@ struct ViewHistory {
     glm::dvec3 positionWorld{0.0};
 };
 
-/// Fills the camera, picture and time members of `frame`. Without history nothing moved.
-void describeView(Snapshot const& snapshot, glm::ivec2 const& size, std::uint64_t number,
+/// Fills the camera, picture and time members of `frame` for a tile of the snapshot's picture. Without history nothing moved.
+void describeView(Snapshot const& snapshot, Tile const& tile, std::uint64_t number,
                   std::optional<ViewHistory> const& history, glsl::FrameBlock& frame);
 }  // namespace luftpost::render

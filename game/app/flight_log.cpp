@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "engine/core/check.h"
-#include "engine/core/math.h"
 
 namespace luftpost::app {
 namespace {
@@ -16,21 +15,16 @@ constexpr char const* kHeader =
     "alpha_deg,beta_deg,p_dps,q_dps,r_dps,load_factor,throttle,elevator,aileron,rudder,flaps,rpm,fuel_kg,"
     "mass_kg,"
     "on_ground,wind_east_mps,wind_north_mps,wind_up_mps\n";
-constexpr double kLatPerMetre_deg = core::degrees(1.0 / core::kEarthRadius);
 }  // namespace
 
-FlightLog::FlightLog(core::Place const& place)
-    : place_{place},
-      lonPerMetre_deg_{core::degrees(1.0 / (core::kEarthRadius * core::cos(core::radians(place.lat_deg))))},
-      text_{kHeader} {}
+FlightLog::FlightLog(core::Place const& place) : geodesy_{place}, text_{kHeader} {}
 
 void FlightLog::add(double seconds, flight::AircraftState const& state) {
     flight::Readings const& r = state.readings;
     auto const deg = [](double angle) { return core::degrees(angle); };
     double const rpm = state.propellerRate * 60.0 / (2.0 * core::kPi);
     fmt::format_to(std::back_inserter(text_), "{:.1f},{:.8f},{:.8f}", seconds,
-                   place_.lat_deg - state.positionWorld.z * kLatPerMetre_deg,
-                   place_.lon_deg + state.positionWorld.x * lonPerMetre_deg_);
+                   geodesy_.lat_deg(state.positionWorld), geodesy_.lon_deg(state.positionWorld));
     for (double value : {state.positionWorld.y,
                          r.height,
                          r.tas,

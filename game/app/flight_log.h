@@ -4,6 +4,7 @@
 
 #include "engine/core/frames.h"
 #include "engine/flight/aircraft_state.h"
+#include "game/app/geodesy.h"
 
 namespace luftpost::app {
 class FlightLog {
@@ -18,8 +19,7 @@ public:
     std::string const& text() const { return text_; }
 
 private:
-    core::Place place_;
-    double lonPerMetre_deg_;
+    Geodesy geodesy_;
     std::string text_;
 };
 }  // namespace luftpost::app

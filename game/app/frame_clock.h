@@ -13,14 +13,15 @@ struct FrameStep {
     double wall = 0.0;     // of the player's time
 };
 
-/// A window's clock: at most 0.25 s a frame, then the flight slows down.
+/// A window's clock: at most 0.25 s of the player's time a frame, then the flight slows down.
 class FrameClock {
 public:
     static constexpr double kLongestFrame = 0.25;  // s
 
-    FrameStep step(double wallSeconds, bool paused) {
+    /// `pace`: seconds of flight to one of the player's.
+    FrameStep step(double wallSeconds, bool paused, double pace = 1.0) {
         if (paused) return {0, debt_, 0.0, wallSeconds};
-        double const seconds = std::clamp(wallSeconds, 0.0, kLongestFrame);
+        double const seconds = pace * std::clamp(wallSeconds, 0.0, kLongestFrame);
         debt_ += seconds * core::kTicksPerSecond;
         auto const ticks = static_cast<long long>(debt_);
         debt_ -= static_cast<double>(ticks);

@@ -50,23 +50,24 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       desk_{plan_.plan.weather.source} {
     if (!run_.photos.empty()) photo_.emplace(run_.photos);
     if (surface_.hasWindow()) sounds_.emplace();
+    if (run_.watch) replay_.emplace(plan_, *run_.ticks);
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
 }
 
 void Game::frame(FrameStep const& step) {
     readDevices(step);
-    takeWeather();
+    if (!studio_) takeWeather();
     advance(step);
     takeEvents();
     moveCamera(step);
     resolution_.note(step.wall, settings_.graphics.framesPerSecond);
     desk_.advance(step.wall, paused(), *session_);
     if (photo_) complain(photo_->follow(session_->simulation().utc()));
-    drawPicture(step, drawScreen(step), false);
-    if (sounds_)
-        sounds_->play(session_->simulation(), cameras_.pose(), cameras_.inside(), paused(), settings_.audio,
-                      step.wall);
+    ImDrawData const* const screen = drawScreen(step);
+    if (studio_ && studio_->saving()) drawSaving(screen);
+    else drawPicture(step, screen, false);
+    if (sounds_) sounds_->play(session_->simulation(), pose(), inside(), paused(), settings_.audio, step.wall);
     if ((sinceChange_ += step.wall) > kSaveAfter) saveChanges();
 }
 
@@ -76,7 +77,7 @@ void Game::readDevices(FrameStep const& step) {
     reading_ = devices_.read(*input_, screen_.wantsText(), screen_.wantsPointer(), step.wall);
     obey(reading_);
     if (surface_.closeRequested()) quit_ = true;
-    if (plan_.courier || reading_.flight == sample_) return;
+    if (studio_ || replay_ || plan_.courier || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
 }
@@ -89,6 +90,7 @@ void Game::takeWeather() {
 void Game::advance(FrameStep const& step) {
     long long const last = run_.ticks.value_or(session_->simulation().tick() + step.ticks);
     for (long long i = 0; i < step.ticks && session_->simulation().tick() < last; ++i) session_->tick();
+    if (replay_) replay_->follow(session_->simulation());
 }
 
 void Game::takeEvents() {
@@ -124,6 +126,7 @@ ui::GroundHeight Game::groundHeight() const {
 
 void Game::moveCamera(FrameStep const& step) {
     Simulation const& simulation = session_->simulation();
+    if (studio_) return studio_->move(reading_, cameraSubject(simulation, shownPose(simulation, step.share)), groundHeight(), step.wall);
     auto const parcel = shownParcel(simulation, step.share);
     cameras_.watchParcel(parcel ? parcel->positionWorld : simulation.aircraft().state().positionWorld);
     cameras_.setFieldOfView(core::radians(settings_.graphics.fieldOfView_deg));
@@ -133,6 +136,11 @@ void Game::moveCamera(FrameStep const& step) {
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
     screen_.begin(renderer_.size(), settings_.hud.scale, step.wall, input_);
+    if (studio_) {
+        drawStudio();
+        return screen_.end();
+    }
+    if (replay_) drawReplay();  // before what shows where it is
     if (photo_) ui::drawPhoto(photo_->state());
     if (settings_.hud.air) drawAir();
     ui::drawHud(hudState());
@@ -141,8 +149,10 @@ ImDrawData const* Game::drawScreen(FrameStep const& step) {
 }
 
 render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const {
-    FrameView const view{cameras_.pose(), cameras_.inside(), step.share, paused() ? 0.0 : step.seconds};
-    render::Snapshot snapshot = snapshotOf(session_->simulation(), models_, settings_, view);
+    Simulation const& simulation = session_->simulation();
+    FrameView const view{pose(), inside(), step.share, paused() ? 0.0 : step.seconds, paused() ? step.wall : step.seconds, studio_ ? studio_->utc() : simulation.utc()};
+    render::Snapshot snapshot = snapshotOf(simulation, models_, settings_, view);
+    if (studio_) studio_->expose(snapshot);
     snapshot.still = still;
     if (!still) snapshot.graphics.resolution = resolution_.scale(snapshot.graphics.resolution, settings_.graphics.framesPerSecond);
     snapshot.debug = debug_;
@@ -155,6 +165,21 @@ render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen
 void Game::drawPicture(FrameStep const& step, ImDrawData const* screen, bool still) {
     if (surface_.hasWindow()) renderer_.resize(surface_.size());
     renderer_.draw(pictureOf(step, screen, still));
+    show();
+}
+
+/// The next tile of the studio's picture, and the page over the picture as it was drawn whole.
+void Game::drawSaving(ImDrawData const* screen) {
+    studio_->saveNext();
+    render::Snapshot menus;
+    menus.ui = screen;
+    menus.fontVersion = screen_.fontVersion();
+    menus.graphics = settings_.graphics;
+    renderer_.drawMenus(menus);
+    show();
+}
+
+void Game::show() {
     if (!surface_.hasWindow()) return gl::finish();
     renderer_.present(surface_.size());
     surface_.swap();
@@ -219,7 +244,8 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
-    if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
+    if (replay_) hud.prompts = replay_->playing() ? std::vector<ui::HudPrompt>{} : devices_.replayPrompts();
+    else if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();
     return hud;
 }

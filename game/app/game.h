@@ -14,9 +14,11 @@
 #include "game/app/photo_box.h"
 #include "game/app/play_options.h"
 #include "game/app/player_files.h"
+#include "game/app/replay_view.h"
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
+#include "game/app/studio.h"
 #include "game/app/weather_desk.h"
 #include "game/delivery/career.h"
 #include "game/ui/air_overlay.h"
@@ -34,7 +36,11 @@ public:
     /// The present state once more with every ray, read back and written.
     void writePicture(std::filesystem::path const& file);
 
-    bool paused() const { return paused_ || pauseOpen_; }
+    bool paused() const {
+        return paused_ || pauseOpen_ || studio_ || (replay_ && !replay_->playing());
+    }
+    /// Seconds of flight to one of the player's.
+    double pace() const { return replay_ ? replay_->speed() : 1.0; }
     bool over() const { return quit_; }
     Session& session() { return *session_; }
     Settings const& settings() const { return settings_; }
@@ -52,9 +58,22 @@ private:
     void drawPages();
     render::Snapshot pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const;
     void drawPicture(FrameStep const& step, ImDrawData const* screen, bool still);
+    void drawSaving(ImDrawData const* screen);
+    void show();
+    ui::CameraPose const& pose() const { return studio_ ? studio_->pose() : cameras_.pose(); }
+    bool inside() const { return !studio_ && cameras_.inside(); }
     void obey(ui::DeviceReading const& reading);
     void escape();
     void takePicture();
+    void obeyFlying(ui::DeviceReading const& reading);
+    void obeyView(ui::DeviceReading const& reading);
+    void obeyReplay(ui::DeviceReading const& reading);
+    void drawReplay();
+    void jumped();
+    void openStudio();
+    void obeyStudio(ui::DeviceReading const& reading);
+    void drawStudio();
+    void saveStudioPicture();
     void answerConfig(ui::ConfigAnswer const& answer);
     void answerPause(ui::PauseChoice choice);
     void change(ui::SettingChange const& change);
@@ -95,6 +114,8 @@ private:
     Messages messages_;
     WeatherDesk desk_;
     std::optional<PhotoBox> photo_;  // of --photo
+    std::optional<Studio> studio_;   // while it is open
+    std::optional<ReplayView> replay_;  // of a replay that is watched
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;

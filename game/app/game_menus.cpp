@@ -21,7 +21,7 @@ bool changesFlight(std::string const& key) {
     return core::findSetting(list, key) != nullptr;
 }
 
-std::filesystem::path pictureFile() {
+std::filesystem::path pictureFile(std::string const& ending) {
     std::filesystem::path const folder = platform::dataFolder() / "pictures";
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
@@ -29,26 +29,67 @@ std::filesystem::path pictureFile() {
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     std::string name = core::formatUtc(now);
     std::replace(name.begin(), name.end(), ':', '-');
-    return folder / (name + ".png");
+    return folder / (name + ending);
 }
 }  // namespace
 
 void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
+    if (studio_) return obeyStudio(reading);
+    if (reading.pressed(Command::studio)) openStudio();
+    if (replay_) return obeyReplay(reading);
+    obeyFlying(reading);
+    obeyView(reading);
+}
+
+/// What a flight has and a replay has not.
+void Game::obeyFlying(ui::DeviceReading const& reading) {
+    using ui::Command;
+    if (reading.pressed(Command::pause)) paused_ = !paused_;
+    if (reading.pressed(Command::weather)) configOpen_ = weatherPage_ = true;
+    if (reading.pressed(Command::photo)) nextPhotoMode();
+    if (reading.pressed(Command::escape)) escape();
+}
+
+void Game::obeyView(ui::DeviceReading const& reading) {
+    using ui::Command;
     if (reading.pressed(Command::camera))
         cameras_.next(session_->simulation().delivery().parcel().has_value());
-    if (reading.pressed(Command::pause)) paused_ = !paused_;
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;
     if (reading.pressed(Command::wireframe)) debug_.wireframe = !debug_.wireframe;
     if (reading.pressed(Command::keys)) keysOpen_ = !keysOpen_;
-    if (reading.pressed(Command::weather)) configOpen_ = weatherPage_ = true;
-    if (reading.pressed(Command::photo)) nextPhotoMode();
     if (reading.pressed(Command::air)) change({"hud.air", !settings_.hud.air});
-    if (reading.pressed(Command::escape)) escape();
     if (reading.pressed(Command::fullScreen))
         change({"graphics.full_screen", !settings_.graphics.fullScreen});
     if (reading.pressed(Command::picture)) takePicture();
+}
+
+void Game::obeyReplay(ui::DeviceReading const& reading) {
+    using ui::Command;
+    obeyView(reading);
+    if (reading.pressed(Command::pause)) replay_->toggle(*session_);
+    if (replay_->obey(reading.flight, *session_)) jumped();
+    if (!reading.pressed(Command::escape)) return;
+    if (keysOpen_ || configOpen_) escape();
+    else quit_ = true;
+}
+
+void Game::drawReplay() {
+    ui::ReplayAnswer const answer = ui::drawReplayBar(replay_->bar(session_->simulation()));
+    if (answer.toggle) replay_->toggle(*session_);
+    if (answer.speed) replay_->setSpeed(*answer.speed);
+    if (answer.seconds) replay_->seek(*answer.seconds, *session_);
+    if (answer.seconds || answer.toggle) jumped();
+}
+
+/// The replay is somewhere else: what was said is past, and the camera stands where the aircraft is.
+void Game::jumped() {
+    messages_ = {};
+    ui::CameraMode const mode = cameras_.mode();
+    if (mode == ui::CameraMode::free) return;
+    cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)), groundHeight());
+    if (mode == ui::CameraMode::cockpit) cameras_.select(mode);
 }
 
 /// Closes the topmost page, else opens the pause menu.
@@ -63,12 +104,48 @@ void Game::escape() {
 
 void Game::takePicture() {
     double const now = session_->simulation().seconds();
-    std::filesystem::path const file = pictureFile();
+    std::filesystem::path const file = pictureFile(".png");
     try {
         writePicture(file);
         messages_.say("Picture: " + file.string(), ui::MessageKind::info, now);
     } catch (core::Error const& error) {
         messages_.say(error.what(), ui::MessageKind::bad, now);
+    }
+}
+
+void Game::openStudio() {
+    configOpen_ = keysOpen_ = false;
+    studio_.emplace(cameras_, session_->simulation().utc(), settings_.graphics);
+}
+
+void Game::obeyStudio(ui::DeviceReading const& reading) {
+    using ui::Command;
+    if (reading.pressed(Command::fullScreen)) change({"graphics.full_screen", !settings_.graphics.fullScreen});
+    if (reading.pressed(Command::picture) && !studio_->saving()) saveStudioPicture();
+    if (!reading.pressed(Command::escape) && !reading.pressed(Command::studio)) return;
+    if (studio_->saving()) studio_->stop();
+    else studio_.reset();
+}
+
+void Game::drawStudio() {
+    ui::StudioAnswer const answer = ui::drawStudioPage(studio_->page(renderer_.size()));
+    studio_->setView(answer.view);
+    if (answer.stop) studio_->stop();
+    if (answer.save) saveStudioPicture();
+    if (answer.close) studio_.reset();
+}
+
+/// Draws the whole once, without the page; the tiles follow, one a frame.
+void Game::saveStudioPicture() {
+    FrameStep const now{0, 1.0, 0.0, 0.0};
+    render::Snapshot still = pictureOf(now, nullptr, true);
+    still.photo = nullptr;
+    still.graphics.resolution = Studio::wholeResolution(renderer_.size());
+    try {
+        renderer_.draw(still);
+        studio_->save(renderer_, still, renderer_.size(), pictureFile(studio_->view().linear ? ".exr" : ".png"));
+    } catch (core::Error const& error) {
+        studio_->note(error.what(), true);
     }
 }
 
@@ -90,6 +167,7 @@ void Game::answerPause(ui::PauseChoice choice) {
     if (sounds_) sounds_->click();
     if (choice == PauseChoice::config) configOpen_ = true;
     if (choice == PauseChoice::keys) keysOpen_ = true;
+    if (choice == PauseChoice::studio) openStudio();
     if (choice == PauseChoice::restart) restart();
     if (choice == PauseChoice::quit) quit_ = true;
     if (choice == PauseChoice::resume || choice == PauseChoice::restart) pauseOpen_ = paused_ = false;
@@ -109,6 +187,7 @@ void Game::leavePreset(std::string const& key) {
 void Game::change(ui::SettingChange const& wanted) {
     core::Setting* const setting = core::findSetting(list_, wanted.key);
     if (!setting || setting->get() == wanted.value) return;
+    if (replay_ && (changesFlight(wanted.key) || wanted.key.starts_with("weather."))) return complain("A replay keeps the flight's own settings");
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
@@ -152,6 +231,7 @@ ui::MenuWeather Game::menuWeather() {
 }
 
 void Game::answerWeather(ui::WeatherAnswer const& answer) {
+    if (replay_) return;  // it keeps its own
     // Another weather than the feed's ends it: it would come back with the next arrival.
     if (answer.source) change({"weather.live", *answer.source == kLiveSource});
     if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});

@@ -39,9 +39,16 @@ terrain::CameraView viewOf(flight::AircraftState const& state) {
             .up = state.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}};
 }
 
+std::string exportText(Session const& session, std::filesystem::path const& file) {
+    ExportKind const kind = exportKind("--export", file.string());
+    if (kind == ExportKind::csv) return session.logText();
+    return kind == ExportKind::kml ? session.track().kml() : session.track().gpx();
+}
+
 /// What was asked for, written when the flight is over.
 void writeFiles(Session& session, RunOptions const& run, FlightReport const& report) {
     if (!run.log.empty()) core::writeFileAtomically(run.log, session.logText());
+    if (!run.exported.empty()) core::writeFileAtomically(run.exported, exportText(session, run.exported));
     if (!run.saveReplay.empty()) core::writeFileAtomically(run.saveReplay, replayText(session.replay()));
     if (!run.saveWeather.empty())
         core::writeFileAtomically(run.saveWeather, session.weatherText());
@@ -88,10 +95,10 @@ void flyFrames(Game& game, RunOptions const& run, std::vector<double>& frame_ms)
     FrameClock clock;
     WallClock::time_point before = WallClock::now();
     for (long long number = 1; !game.over(); ++number) {
-        if (run.ticks && game.session().simulation().tick() >= *run.ticks) return;
+        if (run.ticks && !run.watch && game.session().simulation().tick() >= *run.ticks) return;
         double const wall = secondsSince(before);
         before = WallClock::now();
-        game.frame(run.headless ? simulatedStep(number, run.frameRate) : clock.step(wall, game.paused()));
+        game.frame(run.headless ? simulatedStep(number, run.frameRate) : clock.step(wall, game.paused(), game.pace()));
         frame_ms.push_back(secondsSince(before) * 1000.0);
     }
 }
@@ -101,6 +108,7 @@ void flyWithPicture(PlayOptions options) {
     std::unique_ptr<platform::Surface> const surface =
         run.headless ? platform::openHeadless(run.size)
                      : platform::openWindow({.size = run.size,
+                                             .title = run.watch ? "Luftpost: replay" : "Luftpost",
                                              .fullScreen = run.settings.graphics.fullScreen,
                                              .verticalSync = run.settings.graphics.verticalSync});
     gl::prepareContext();

@@ -9,6 +9,7 @@ namespace {
 /// What play and replay have in common.
 void addRunOptions(CLI::App& command, PlayTexts& texts) {
     command.add_option("--log", texts.log, "FILE.csv: a row every 0.1 s");
+    command.add_option("--export", texts.exported, "FILE.csv (as --log), FILE.kml or FILE.gpx: the way for maps");
     command.add_option("--report", texts.report, "FILE.json: what happened and what it cost");
     command.add_option("--screenshot", texts.screenshot, "FILE.png: the last frame, with every ray");
     command.add_option("--frame-rate", texts.frameRate, "frames of simulated time a second (default 60)");
@@ -42,8 +43,9 @@ void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) 
 void addReplayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     auto const texts = std::make_shared<PlayTexts>();
     auto const file = std::make_shared<std::filesystem::path>();
-    CLI::App* const replay = app.add_subcommand("replay", "a flight again, bit for bit");
+    CLI::App* const replay = app.add_subcommand("replay", "a flight again, bit for bit: in a window, to be watched, unless a file is asked for");
     replay->add_option("file", *file, "what --save-replay wrote")->required();
+    replay->add_flag("--headless", texts->headless, "no window: whether the file can be flown");
     addRunOptions(*replay, *texts);
     replay->callback([texts, file, &common, &chosen] {
         chosen = [texts, file, &common] { return playFlight(replayOptions(*file, *texts, common)); };

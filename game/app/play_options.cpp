@@ -9,6 +9,7 @@
 #include "engine/core/file.h"
 #include "engine/core/time.h"
 #include "engine/platform/paths.h"
+#include "engine/platform/surface.h"
 #include "engine/weather/source.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
@@ -38,6 +39,7 @@ void checkOutputs(PlayTexts const& texts) {
                               fmt::format("expected another file than that of {}", other->second)};
     };
     check("--log", texts.log);
+    check("--export", texts.exported);
     check("--report", texts.report);
     check("--screenshot", texts.screenshot);
     check("--save-replay", texts.saveReplay);
@@ -46,6 +48,7 @@ void checkOutputs(PlayTexts const& texts) {
     if (!texts.screenshot.empty() && texts.screenshot.extension() != ".png")
         throw core::Error{"--screenshot", "",
                           fmt::format("expected FILE.png, found {}", texts.screenshot.string())};
+    if (!texts.exported.empty()) exportKind("--export", texts.exported.string());
     if (!texts.save.empty()) namedCareer(texts.save);
 }
 
@@ -56,6 +59,7 @@ RunOptions runOptions(PlayTexts const& texts, CommonOptions const& common) {
     run.noRender = texts.noRender;
     run.size = common.size;
     run.log = texts.log;
+    run.exported = texts.exported;
     run.report = texts.report;
     run.screenshot = texts.screenshot;
     run.saveReplay = texts.saveReplay;
@@ -164,6 +168,15 @@ std::vector<StampedInput> scriptFrom(std::filesystem::path const& file) {
     return script;
 }
 
+/// The session keeps what is written at its end.
+void keepWritten(SessionOptions& session, PlayTexts const& texts) {
+    bool const exports = !texts.exported.empty();
+    bool const rows = exports && exportKind("--export", texts.exported.string()) == ExportKind::csv;
+    session.log = !texts.log.empty() || rows;
+    session.track = exports && !rows;
+    session.weather = !texts.saveWeather.empty();
+}
+
 void checkModes(PlayTexts const& texts, RunOptions const& run) {
     if (run.headless && !run.ticks)
         throw core::Error{"--seconds", "", "expected with --headless: the seconds of flight"};
@@ -187,8 +200,7 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
     options.run.settings = common.settings;
     options.session.plan = flightPlan(texts, common, options.run);
     options.session.courier = !texts.bot.empty();
-    options.session.log = !texts.log.empty();
-    options.session.weather = !texts.saveWeather.empty();
+    keepWritten(options.session, texts);
     if (!texts.input.empty()) options.session.script = scriptFrom(texts.input);
     if (!texts.photo.empty()) options.run.photos = photosOption(texts.photo, options.session.plan.simulation.time);
     return options;
@@ -213,21 +225,35 @@ void refuseAnotherFlight(CommonOptions const& common) {
         refuse(core::findSetting(list, key), "--set", key);
     }
 }
+
+/// Whoever asks for nothing but the flight wants to see it.
+bool wantsWindow(PlayTexts const& texts) {
+    bool const writes = !(texts.log.empty() && texts.exported.empty() && texts.report.empty() && texts.screenshot.empty());
+    return !texts.headless && !writes && platform::hasDisplay();
+}
 }  // namespace
 
 PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& texts,
-                          CommonOptions const& common) {
+                          CommonOptions const& given) {
+    CommonOptions common = given;
     PlayOptions options;
     options.run = runOptions(texts, common);
     refuseAnotherFlight(common);
-    options.run.headless = true;
-    options.run.noRender = options.run.noRender || texts.screenshot.empty();
+    options.run.watch = wantsWindow(texts);
+    options.run.headless = !options.run.watch;
+    if (options.run.watch) {
+        usePlayerFiles(common, options.run);
+        options.run.save.clear();  // what was delivered was counted when it was flown
+        options.run.settings = common.settings;
+        options.run.settings.weather.live = false;
+    }
+    options.run.noRender = options.run.headless && texts.screenshot.empty();
     Replay replay = readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
     options.run.ticks = replay.ticks;
     options.run.settings.flight = replay.plan.simulation.settings;
     options.session.plan = std::move(replay.plan);
     options.session.script = std::move(replay.inputs);
-    options.session.log = !texts.log.empty();
+    keepWritten(options.session, texts);
     return options;
 }
 }  // namespace luftpost::app

@@ -16,18 +16,19 @@ namespace luftpost::app {
 struct PlayTexts {
     bool headless = false, noRender = false;
     std::string bot, start, assist, payload, fuel, seconds, frameRate, workers;
-    std::filesystem::path input, log, report, screenshot, saveReplay, saveWeather, save, photo;
+    std::filesystem::path input, log, exported, report, screenshot, saveReplay, saveWeather, save, photo;
 };
 
 /// How a flight is run and what is written about it.
 struct RunOptions {
     bool headless = false, noRender = false;
+    bool watch = false;              // a replay in a window
     std::optional<long long> ticks;  // none: until the window closes
     double frameRate = 60.0;         // frames of simulated time a second
     int workers = 1;
     glm::ivec2 size{1280, 720};
     Settings settings;
-    std::filesystem::path log, report, screenshot, saveReplay, saveWeather;
+    std::filesystem::path log, exported, report, screenshot, saveReplay, saveWeather;
     std::vector<assets::PhotoFile> photos;  // of --photo
     std::filesystem::path save, settingsFile;  // the player's; empty: neither read nor written
     std::shared_ptr<WeatherFeed> feed;         // of live weather

@@ -22,7 +22,8 @@ Session::Session(SessionOptions options)
     : options_{std::move(options)},
       world_{options_.plan.weather, options_.plan.place, options_.plan.simulation.seed, options_.plan.weatherLatest},
       simulation_{world_, flight::loadAirframe(platform::dataFile(kAirframeFile)), options_.plan.simulation},
-      log_{world_.place()} {
+      log_{world_.place()},
+      track_{world_.place(), simulation_.utc()} {
     std::string const& found = world_.field().origin().sha256;
     if (found != options_.plan.weatherSha256)
         throw core::Error{options_.plan.weather.source, "",
@@ -31,6 +32,7 @@ Session::Session(SessionOptions options)
     loadScriptedWeather(world_, options_.script);
     if (options_.courier) courier_.emplace(world_.ground());
     keepRow();
+    keepWay();
     if (options_.weather) flown_.begin(world_.field(), simulation_.utc());
 }
 
@@ -68,7 +70,15 @@ void Session::tick() {
     if (courier_ && simulation_.tick() % bot::kTicksPerDecision == 0) askCourier();
     simulation_.step();
     keepRow();
+    keepWay();
     if (simulation_.tick() % core::kTicksPerSecond == 0) hashes_.push_back(simulation_.stateHash());
+}
+
+void Session::goTo(Moment const& moment) {
+    CHECK(!courier_ && !options_.log && !options_.track && !options_.weather, "only a script can be gone through both ways");
+    simulation_.goTo(moment.simulation);
+    scriptDone_ = moment.scriptDone;
+    inputs_.assign(options_.script.begin(), options_.script.begin() + static_cast<std::ptrdiff_t>(scriptDone_));
 }
 
 void Session::askCourier() {
@@ -81,6 +91,18 @@ void Session::askCourier() {
 void Session::keepRow() {
     if (options_.log && simulation_.tick() % FlightLog::kTicksPerRow == 0)
         log_.add(simulation_.seconds(), simulation_.aircraft().state());
+}
+
+void Session::keepWay() {
+    if (options_.track) track_.add(simulation_.tick(), simulation_.aircraft().state());
+}
+
+FlightTrack Session::track() const {
+    CHECK(options_.track, "the way was not kept");
+    FlightTrack track = track_;
+    track.markDrops(simulation_.delivery().drops());
+    for (Simulation::Crash const& crash : simulation_.crashed()) track.mark("Crash", crash.seconds, crash.positionWorld);
+    return track;
 }
 
 FlightReport Session::report() const {

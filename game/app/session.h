@@ -7,6 +7,7 @@
 
 #include "game/app/flight_log.h"
 #include "game/app/flight_plan.h"
+#include "game/app/flight_track.h"
 #include "game/app/flown_weather.h"
 #include "game/app/report.h"
 #include "game/app/simulation.h"
@@ -19,6 +20,7 @@ struct SessionOptions {
     std::vector<StampedInput> script;  // by tick: the input file or a replay
     bool courier = false;              // the bot flies
     bool log = false;                  // keep the log's rows
+    bool track = false;                // keep the way for maps
     bool weather = false;              // keep the weather that is flown
 };
 
@@ -39,6 +41,15 @@ public:
     /// One tick: what is due of the script, the bot at 20 Hz, the simulation, log and hash.
     void tick();
 
+    /// A moment of a flight that is all script, neither logged nor steered by the bot.
+    struct Moment {
+        Simulation::Moment simulation;
+        std::size_t scriptDone = 0;
+    };
+    Moment moment() const { return {simulation_.moment(), scriptDone_}; }
+    /// Of a session with the same plan and script. The report's hashes remain those of what was flown.
+    void goTo(Moment const& moment);
+
     Simulation const& simulation() const { return simulation_; }
     std::vector<FlightEventAt> takeEvents() { return simulation_.takeEvents(); }
     World& world() { return world_; }
@@ -47,6 +58,8 @@ public:
     /// The weather that was flown so far as the text of a recording: its own where the flight had but one, else what was kept of all.
     std::string weatherText();
     std::string const& logText() const { return log_.text(); }
+    /// The way so far, with where parcels were released and came down and where the aircraft broke.
+    FlightTrack track() const;
     Replay replay() const { return {options_.plan, simulation_.tick(), inputs_}; }
     /// What the flight itself knows of its report.
     FlightReport report() const;
@@ -54,11 +67,13 @@ public:
 private:
     void askCourier();
     void keepRow();
+    void keepWay();
 
     SessionOptions options_;
     World world_;
     Simulation simulation_;
     FlightLog log_;
+    FlightTrack track_;
     std::size_t scriptDone_ = 0;
     std::optional<bot::Courier> courier_;
     ui::InputSample sample_;

@@ -101,7 +101,7 @@ void Simulation::step() {
     stepDelivery(air);
     ++tick_;
     if (aircraft_.state().crashed()) {
-        ++crashes_;
+        crashed_.push_back({seconds(), aircraft_.state().positionWorld});
         note(FlightEvent::crashed, aircraft_.state().positionWorld,
              flight::crashText(aircraft_.airframe(), aircraft_.state()));
         respawn();
@@ -165,7 +165,25 @@ core::AirFunction Simulation::airAtAnyTime() const {
     };
 }
 
-weather::AirInstant Simulation::airNow() const { return world_.air().instant(utc(), settings_.clouds); }
+Simulation::Moment Simulation::moment() const {
+    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, world_.held()};
+}
+
+void Simulation::goTo(Moment const& moment) {
+    aircraft_.restore(moment.aircraft);
+    before_ = moment.before;
+    delivery_ = moment.delivery;
+    settings_ = moment.settings;
+    sample_ = moment.sample;
+    stick_ = moment.stick;
+    tick_ = moment.tick;
+    clockTick_ = moment.clockTick;
+    clockUtc_ = moment.clockUtc;
+    clockRate_ = moment.clockRate;
+    crashed_ = moment.crashed;
+    world_.takeBack(moment.weather);
+    events_.clear();
+}
 
 std::vector<FlightEventAt> Simulation::takeEvents() { return std::exchange(events_, {}); }
 

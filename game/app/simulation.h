@@ -62,9 +62,34 @@ public:
     ui::Stick const& stick() const { return stick_; }
     FlightSettings const& settings() const { return settings_; }
     /// The air at this tick, with the clouds as the settings have them.
-    weather::AirInstant airNow() const;
+    weather::AirInstant airNow() const { return airAt(utc()); }
+    /// The same at another time of the weather's clock.
+    weather::AirInstant airAt(core::UtcSeconds utc) const { return world_.air().instant(utc, settings_.clouds); }
     World const& world() const { return world_; }
-    int crashes() const { return crashes_; }
+    /// Where and when the aircraft broke.
+    struct Crash {
+        double seconds = 0.0;
+        glm::dvec3 positionWorld{0.0};
+    };
+    std::vector<Crash> const& crashed() const { return crashed_; }
+    int crashes() const { return static_cast<int>(crashed_.size()); }
+
+    /// All that the flight goes on from, bit for bit.
+    struct Moment {
+        flight::AircraftState aircraft, before;
+        delivery::Delivery delivery;
+        FlightSettings settings;
+        ui::InputSample sample;
+        ui::Stick stick;
+        long long tick = 0, clockTick = 0;
+        core::UtcSeconds clockUtc = 0.0;
+        double clockRate = 1.0;
+        std::vector<Crash> crashed;
+        World::Held weather;
+    };
+    Moment moment() const;
+    /// Of a simulation with the same options. Events not yet taken go.
+    void goTo(Moment const& moment);
 
     /// The events since the last call, in order.
     std::vector<FlightEventAt> takeEvents();
@@ -93,7 +118,7 @@ private:
     core::UtcSeconds clockUtc_ = 0.0;  // ... this, and it runs on ...
     double clockRate_ = 1.0;           // ... so many times as fast
     double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
-    int crashes_ = 0;
+    std::vector<Crash> crashed_;
     std::vector<FlightEventAt> events_;
 };
 }  // namespace luftpost::app

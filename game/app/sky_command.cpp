@@ -16,6 +16,7 @@
 #include "engine/render/quality.h"
 #include "engine/render/reference_picture.h"
 #include "engine/render/renderer.h"
+#include "engine/render/tiled_picture.h"
 #include "engine/sky/sky_state.h"
 #include "engine/terrain/land.h"
 #include "engine/weather/air.h"
@@ -33,6 +34,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double kEyeHeight = 2.0;       // m above the ground
 constexpr double kHighestEye = 20000.0;  // m above sea level
+constexpr int kLargestWhole = 4096;      // pixels a side that are drawn at once; more by tiles
+constexpr int kLargestMeasured = 2048;   // pixels a side of the picture that tiles take exposure and glow from
 constexpr long long kMostFrames = 100000;
 constexpr long long kMostSamples = 1 << 24;
 constexpr unsigned kUsualSeed = 1;
@@ -268,15 +271,28 @@ void traceFrames(SkyRequest const& request, Scene const& scene, CommonOptions co
     files.finish();
 }
 
+/// Whether pictures of this size are drawn by tiles: stills alone, for a film is made of whole frames.
+bool byTiles(SkyRequest const& request, glm::ivec2 const& size) { return std::max(size.x, size.y) > kLargestWhole && !isFilm(request.output); }
+
+/// The size that the renderer draws whole.
+glm::ivec2 wholeSize(SkyRequest const& request, glm::ivec2 size) {
+    if (!byTiles(request, size)) return size;
+    while (std::max(size.x, size.y) > kLargestMeasured) size = glm::max(size / 2, glm::ivec2{1});
+    return size;
+}
+
 /// Frames as the game draws them.
 void drawFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
-    auto const surface = platform::openHeadless(common.size);
+    glm::ivec2 const whole = wholeSize(request, common.size);
+    auto const surface = platform::openHeadless(whole);
     gl::prepareContext();
-    render::Renderer renderer{{.size = common.size}};
+    render::Renderer renderer{{.size = whole}};
     PictureFiles files{request, common.size};
     for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
-        renderer.draw(snapshotOf(request, scene, common, static_cast<double>(frame) * request.step));
-        if (files.linear()) files.add(renderer.readHdr(), frame);
+        render::Snapshot const snapshot = snapshotOf(request, scene, common, static_cast<double>(frame) * request.step);
+        renderer.draw(snapshot);
+        if (byTiles(request, common.size)) render::TiledPicture{renderer, snapshot, common.size, fileOfFrame(request, request.output, frame)}.finish();
+        else if (files.linear()) files.add(renderer.readHdr(), frame);
         else files.add(renderer.readPixels(), frame);
         if (!request.photos.empty())
             compareWithPhoto(request, renderer.readPixels(), frame, scene.start + static_cast<double>(frame) * request.step);

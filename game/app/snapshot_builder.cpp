@@ -101,13 +101,13 @@ render::ModelInstance standing(render::ModelId model, glm::dvec3 const& position
 /// The turn about y that leads +x along the vector.
 double yawAlong(glm::dvec3 const& world) { return std::atan2(-world.z, world.x); }
 
-void addParcels(Simulation const& simulation, GameModels const& models, double share,
+void addParcels(Simulation const& simulation, GameModels const& models, FrameView const& view,
                 std::vector<render::ModelInstance>& instances) {
     for (glm::dvec3 const& place : simulation.delivery().landed())
         instances.push_back(standing(models.parcel, place + glm::dvec3{0.0, kStandUp, 0.0}));
-    auto const parcel = shownParcel(simulation, share);
+    auto const parcel = shownParcel(simulation, view.share);
     if (!parcel) return;
-    glm::dvec3 const air = simulation.airNow().at(parcel->positionWorld).windWorld;
+    glm::dvec3 const air = simulation.airAt(view.utc).at(parcel->positionWorld).windWorld;
     glm::dvec3 const drag = air - parcel->velocityWorld;
     // The chute hangs where the air pulls it: up and back along the way through the air.
     glm::dvec3 const pull = glm::normalize(drag + glm::dvec3{0.0, 0.5, 0.0});
@@ -123,7 +123,7 @@ void addParcels(Simulation const& simulation, GameModels const& models, double s
     instances.push_back(canopy);
 }
 
-void addAirfield(Simulation const& simulation, GameModels const& models,
+void addAirfield(Simulation const& simulation, GameModels const& models, core::UtcSeconds utc,
                  std::vector<render::ModelInstance>& instances) {
     World const& world = simulation.world();
     terrain::Runway const& runway = world.land().runway();
@@ -133,7 +133,7 @@ void addAirfield(Simulation const& simulation, GameModels const& models,
         return core::worldFromEastNorth(at.x, at.y, world.ground()(at.x, at.y).height);
     };
     glm::dvec3 const foot = beside(-250.0, 45.0);
-    glm::dvec3 const wind = simulation.airNow().at(foot + glm::dvec3{0.0, 6.0, 0.0}).windWorld;
+    glm::dvec3 const wind = simulation.airAt(utc).at(foot + glm::dvec3{0.0, 6.0, 0.0}).windWorld;
     render::ModelInstance sock = standing(models.windsock, foot);
     double const speed = std::hypot(wind.x, wind.z);
     sock.poses = {turned("sock", about(kY, yawAlong(wind))),
@@ -146,11 +146,11 @@ void addAirfield(Simulation const& simulation, GameModels const& models,
 
 /// The marker, and smoke that rises from it and goes with the wind of its height: a function of the time
 /// alone.
-void addDropZone(Simulation const& simulation, GameModels const& models, double seconds,
+void addDropZone(Simulation const& simulation, GameModels const& models, core::UtcSeconds utc,
                  render::Snapshot& snapshot) {
     delivery::DropZone const& zone = simulation.delivery().target();
     glm::dvec3 const foot = core::worldFromEastNorth(zone.east, zone.north, zone.height);
-    weather::AirInstant const air = simulation.airNow();
+    weather::AirInstant const air = simulation.airAt(utc);
     glm::dvec3 const low = air.at(foot + glm::dvec3{0.0, 5.0, 0.0}).windWorld;
     glm::dvec3 const high = air.at(foot + glm::dvec3{0.0, 60.0, 0.0}).windWorld;
     render::ModelInstance marker = standing(models.dropZone, foot);
@@ -159,7 +159,7 @@ void addDropZone(Simulation const& simulation, GameModels const& models, double 
     constexpr int kPuffs = 30;
     constexpr double kLife = 24.0, kRise = 2.2;  // s, m/s
     for (int i = 0; i < kPuffs; ++i) {
-        double const age = std::fmod(seconds + i * kLife / kPuffs, kLife);
+        double const age = std::fmod(simulation.seconds() + i * kLife / kPuffs, kLife);
         double const share = age / kLife;
         // Between the wind at the foot and the one above, by how far it has risen.
         glm::dvec3 const drift = low * (age - 0.5 * age * share) + high * (0.5 * age * share);
@@ -208,24 +208,25 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.camera.worldFromCamera = view.camera.worldFromCamera;
     snapshot.camera.horizontalFov = view.camera.horizontalFov;
     snapshot.graphics = settings.graphics;
-    snapshot.clouds = settings.flight.clouds;
+    snapshot.clouds = simulation.settings().clouds;
     render::applyQuality(settings.graphics.quality, snapshot.graphics, snapshot.clouds);
-    snapshot.time = simulation.utc();
+    snapshot.time = view.utc;
     snapshot.simulationSeconds = simulation.seconds();
     snapshot.frameSeconds = view.seconds;
+    snapshot.eyeSeconds = view.eyeSeconds;
     snapshot.seed = world.land().seed();
     snapshot.place = world.place();
-    snapshot.sky = sky::skyState(world.place(), simulation.utc());
+    snapshot.sky = sky::skyState(world.place(), view.utc);
     snapshot.field = &world.field();
     glm::dvec3 const& eye = view.camera.positionWorld;
-    snapshot.weather = world.field().at(eye.x, -eye.z, simulation.utc());
-    snapshot.air = simulation.airNow().at(eye);
+    snapshot.weather = world.field().at(eye.x, -eye.z, view.utc);
+    snapshot.air = simulation.airAt(view.utc).at(eye);
     snapshot.models.push_back(planeInstance(simulation, models, view));
     snapshot.aircraftWorld = snapshot.models.front().positionWorld;
     snapshot.hasAircraft = true;
-    addParcels(simulation, models, view.share, snapshot.models);
-    addAirfield(simulation, models, snapshot.models);
-    addDropZone(simulation, models, simulation.seconds(), snapshot);
+    addParcels(simulation, models, view, snapshot.models);
+    addAirfield(simulation, models, view.utc, snapshot.models);
+    addDropZone(simulation, models, view.utc, snapshot);
     return snapshot;
 }
 }  // namespace luftpost::app

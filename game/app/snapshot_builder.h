@@ -25,6 +25,8 @@ struct FrameView {
     bool inside = false;   // from the seat: the aircraft's outside is hidden
     double share = 1.0;    // between the last two ticks
     double seconds = 0.0;  // of simulated time since the frame before
+    double eyeSeconds = 0.0;     // of the player's time since then
+    core::UtcSeconds utc = 0.0;  // the hour whose sky and weather are shown
 };
 render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& models, Settings const& settings,
                             FrameView const& view);

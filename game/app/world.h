@@ -17,6 +17,8 @@ namespace luftpost::app {
 /// Place and land stay for the whole session; the weather may be exchanged. Main thread; the land and the
 /// fields may be asked from any thread.
 class World {
+    struct Loaded;
+
 public:
     /// `weather` as a flight begins: its source is not empty; a recording that it carries is the weather at once.
     /// `latest` tells the month of METARs; none: now. Throws core::Error where it cannot be loaded.
@@ -33,6 +35,14 @@ public:
     /// Takes what `offer` has made of the same input, else makes it here. Throws core::Error where the recording carries none.
     void use(WeatherInput const& input);
 
+    /// The weather of now, to be taken back later, by this world or by another of the same place and land that lives no longer than this one.
+    struct Held {
+        std::shared_ptr<Loaded const> weather;
+        std::string source;
+    };
+    Held held() const { return {current_, source_}; }
+    void takeBack(Held const& held) { take(held.weather, held.source); }
+
     /// An input with a recording whose field is to be made beside the frame, on a thread of its own. One is made at a time;
     /// of those that wait only the last counts.
     void offer(WeatherInput input);
@@ -45,8 +55,8 @@ public:
 
     std::string const& source() const { return source_; }
     terrain::Land const& land() const { return land_; }
-    weather::Field const& field() const { return current_->field; }
-    weather::Air const& air() const { return current_->air; }
+    weather::Field const& field() const;
+    weather::Air const& air() const;
     core::Place place() const { return place_; }
     core::GroundFunction const& ground() const { return ground_; }
 
@@ -83,4 +93,6 @@ private:
     std::future<Made> making_;  // the last member: it is waited for before anything else goes
 };
 
+inline weather::Field const& World::field() const { return current_->field; }
+inline weather::Air const& World::air() const { return current_->air; }
 }  // namespace luftpost::app

@@ -38,7 +38,8 @@ constexpr CommandBinding kCommandKeys[]{
     {Key::c, Command::camera},    {Key::p, Command::pause},      {Key::f1, Command::config},
     {Key::f2, Command::normals},  {Key::f3, Command::wireframe}, {Key::f11, Command::fullScreen},
     {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::f4, Command::weather},
-    {Key::f5, Command::photo},    {Key::v, Command::air},        {Key::escape, Command::escape}};
+    {Key::f5, Command::photo},    {Key::f6, Command::studio},     {Key::v, Command::air},
+    {Key::escape, Command::escape}};
 /// These work while a text box has the focus, too.
 bool isFunctionKey(Key key) { return key == Key::escape || (key >= Key::f1 && key <= Key::f12); }
 
@@ -135,6 +136,15 @@ std::vector<HudPrompt> Devices::firstPrompts() const {
             {keyLabel(Key::h), "all keys"}};
 }
 
+std::vector<HudPrompt> Devices::replayPrompts() const {
+    using platform::keyLabel;
+    return {{keyLabel(Key::space), "pause, play"},
+            {keyLabel(Key::a) + " " + keyLabel(Key::d), "10 s back, on"},
+            {keyLabel(Key::w) + " " + keyLabel(Key::s), "faster, slower"},
+            {keyLabel(Key::c), "camera"},
+            {keyLabel(Key::escape), "leave"}};
+}
+
 std::vector<KeyHelp> keyHelp() {
     auto const k = [](Key key) { return platform::keyLabel(key); };
     return {
@@ -155,6 +165,7 @@ std::vector<KeyHelp> keyHelp() {
          "", "move the free camera"},
         {"View", k(Key::v), "", "show the air: wind, lift and sink"},
         {"View", k(Key::f5), "", "photograph: over, split, beside, off"},
+        {"View", k(Key::f6), "", "studio: stand still, take a picture"},
         {"View", k(Key::f2), "", "show normals"},
         {"View", k(Key::f3), "", "show the wireframe"},
         {"View", k(Key::f11), "", "full screen"},

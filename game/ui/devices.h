@@ -23,6 +23,7 @@ enum class Command : unsigned {
     keys,
     weather,
     photo,
+    studio,
     air,
     escape,
     count
@@ -44,6 +45,8 @@ public:
     bool gamepadInHand() const { return gamepadInHand_; }
     /// What a beginner needs first, with the caps of the device in hand and its layout.
     std::vector<HudPrompt> firstPrompts() const;
+    /// The same of a replay that is watched.
+    std::vector<HudPrompt> replayPrompts() const;
 
 private:
     void readPads(platform::Input const& input, DeviceReading& reading, double seconds);

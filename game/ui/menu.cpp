@@ -256,7 +256,7 @@ PauseChoice drawPauseMenu() {
     drawVeil();
     beginCentred("pause", 340.0f * unit(), 0.0f);
     drawTitle("Paused", "The post can wait a minute.");
-    constexpr std::array<std::pair<char const*, PauseChoice>, 5> kButtons{{{"Fly on", PauseChoice::resume}, {"Settings", PauseChoice::config}, {"Keys", PauseChoice::keys}, {"Start again", PauseChoice::restart}, {"Quit", PauseChoice::quit}}};
+    constexpr std::array<std::pair<char const*, PauseChoice>, 6> kButtons{{{"Fly on", PauseChoice::resume}, {"Studio: take a picture", PauseChoice::studio}, {"Settings", PauseChoice::config}, {"Keys", PauseChoice::keys}, {"Start again", PauseChoice::restart}, {"Quit", PauseChoice::quit}}};
     PauseChoice choice = PauseChoice::none;
     for (auto const& [label, which] : kButtons)
         if (ImGui::Button(label, {-1.0f, 38.0f * unit()})) choice = which;

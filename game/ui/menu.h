@@ -28,7 +28,7 @@ struct ConfigAnswer {
 /// belongs to "clouds"); which one is open is kept by Dear ImGui, unless `weatherPage` brings that one to the front.
 ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage = false);
 
-enum class PauseChoice { none, resume, config, keys, restart, quit };
+enum class PauseChoice { none, resume, studio, config, keys, restart, quit };
 /// The pause menu in the middle of the screen.
 PauseChoice drawPauseMenu();
 

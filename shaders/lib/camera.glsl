@@ -43,9 +43,13 @@ GLSL_END
 #ifndef __cplusplus
 #include "shaders/shared/frame.glsl.h"
 
-/// Unit vector from the camera through `pixel` (centres are at .5, row 0 at the bottom) in every projection.
+/// Where a pixel of the target (centres are at .5, row 0 at the bottom) lies in the whole picture: in its pixels, and 0..1.
+vec2 picturePixel(vec2 pixel) { return pixel + frame.tile.xy; }
+vec2 pictureUnit(vec2 pixel) { return picturePixel(pixel) * frame.viewport.zw; }
+
+/// Unit vector from the camera through `pixel` in every projection.
 vec3 rayDirection(vec2 pixel) {
-    vec2 unit = pixel * frame.viewport.zw;
+    vec2 unit = pictureUnit(pixel);
     if (frame.mode.x == kProjectionPanorama) return panoramaRay(unit);
     if (frame.mode.x == kProjectionDome) return domeRay(unit);
     return normalize(mat3(frame.worldFromCamera) * perspectiveRay(unit, frame.projection.xy));
@@ -53,7 +57,7 @@ vec3 rayDirection(vec2 pixel) {
 
 /// False for pixels outside a dome's circle.
 bool insidePicture(vec2 pixel) {
-    return frame.mode.x != kProjectionDome || insideDome(pixel * frame.viewport.zw);
+    return frame.mode.x != kProjectionDome || insideDome(pictureUnit(pixel));
 }
 
 /// Metres from the camera along the ray of what `depth` of the depth target stands for; 0 (nothing drawn) gives 1e9.
@@ -61,13 +65,13 @@ float distanceOfDepth(float depth, vec2 pixel) {
     if (depth <= 0.0) return 1.0e9;
     float along = frame.projection.z / depth;
     if (frame.mode.x != kProjectionPerspective) return along;
-    return along * length(perspectiveRay(pixel * frame.viewport.zw, frame.projection.xy));
+    return along * length(perspectiveRay(pictureUnit(pixel), frame.projection.xy));
 }
 
 /// Its inverse: the depth of something `distance` metres along the ray of `pixel`.
 float depthOfDistance(float distance, vec2 pixel) {
     if (frame.mode.x != kProjectionPerspective) return frame.projection.z / distance;
-    return frame.projection.z * length(perspectiveRay(pixel * frame.viewport.zw, frame.projection.xy)) / distance;
+    return frame.projection.z * length(perspectiveRay(pictureUnit(pixel), frame.projection.xy)) / distance;
 }
 
 /// Screen motion of a world position that did not move: this frame's uv less the previous one's.

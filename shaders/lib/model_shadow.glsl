@@ -15,7 +15,7 @@ float modelShadow(vec3 relative) {
     float blur = clamp(max(below, 0.0) * frame.modelShadow.w, 0.02, 2.5) / metresPerUnit;
     if (any(greaterThan(abs(place.xy - 0.5), vec2(0.5 + blur))) || place.z > 1.0) return 1.0;
     float bias = 0.12 / frame.modelShadow.z;
-    float turn = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float turn = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy + frame.tile.xy, vec2(0.06711056, 0.00583715))));
     float lit = 0.0;
     for (int i = 0; i < 12; ++i) {
         float r = sqrt((float(i) + 0.5) / 12.0) * blur;

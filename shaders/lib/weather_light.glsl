@@ -7,7 +7,7 @@
 #include "shaders/lib/lightning.glsl"
 #include "shaders/lib/sky_optics.glsl"
 
-layout(binding = 25) uniform sampler2D phaseTable;
+layout(binding = 26) uniform sampler2D phaseTable;
 
 struct LightRay {
     vec3 direction;  // world, unit

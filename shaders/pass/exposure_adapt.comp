@@ -27,7 +27,7 @@ void main() {
     float wanted = weight > 0.0 ? min(exposureFor(mean), keeps) * frame.exposure.w : start;
     wanted = clamp(wanted, start * 0.2, start * 5.0);
     bool jump = frame.mode.w == 1 || measured.started == 0.0;
-    measured.shown = jump ? wanted : adaptedExposure(measured.shown, wanted, frame.time.y);
+    measured.shown = jump ? wanted : adaptedExposure(measured.shown, wanted, frame.time.w);
     measured.wanted = wanted;
     measured.meanLuminance = mean;
     measured.started = 1.0;

@@ -18,7 +18,7 @@ void main() {
     ivec2 pixel = min(place * block + block / 2, ivec2(frame.viewport.xy) - 1);
     vec2 centre = vec2(pixel) + 0.5;
     LightRay ray = LightRay(rayDirection(centre), distanceOfDepth(texelFetch(depthTarget, pixel, 0).r, centre),
-                            unpackedFacts(texelFetch(cloudFacts, pixel, 0)).distance, texelFetch(colour, pixel, 0).a, vec2(place));
+                            unpackedFacts(texelFetch(cloudFacts, pixel, 0)).distance, texelFetch(colour, pixel, 0).a, picturePixel(vec2(place)));
     Fallen fallen = alongFalling(ray, keyLight(), samples);
     imageStore(lightTarget, place, vec4(min(fallen.light * frame.exposure.x, vec3(60000.0)), fallen.through));
     imageStore(litTarget, place, vec4(min(fallen.lit, vec3(60000.0)), log2(max(fallen.distance, 1.0))));

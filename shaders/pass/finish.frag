@@ -1,7 +1,7 @@
 #version 450 core
 // Smooths edges, scales to the window, dithers. An edge is where luma differs across a pixel's four corners; there the
 // colour is averaged along the edge, not across it.
-#include "shared/frame.glsl.h"
+#include "lib/camera.glsl"
 #include "lib/tone.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -29,6 +29,7 @@ vec3 smoothed(vec2 texel) {
 void main() {
     vec2 texel = 1.0 / vec2(textureSize(picture, 0));
     vec3 result = smoothing > 0.5 ? smoothed(texel) : textureLod(picture, uv, 0.0).rgb;
-    float noise = dither * ditherNoise(uvec2(gl_FragCoord.xy), uint(frame.mode.z));
+    uint number = frame.mode.w == 1 ? 0u : uint(frame.mode.z);  // a still is the same picture each time
+    float noise = dither * ditherNoise(uvec2(picturePixel(gl_FragCoord.xy)), number);
     colour = vec4(result + noise, 1.0);
 }

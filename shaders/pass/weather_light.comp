@@ -50,7 +50,7 @@ void main() {
     if (!insidePicture(centre)) return;
     vec4 colour = imageLoad(colourTarget, pixel);
     KeyLight key = keyLight();
-    LightRay ray = LightRay(rayDirection(centre), landAway(pixel), cloudAway(pixel), colour.a, centre);
+    LightRay ray = LightRay(rayDirection(centre), landAway(pixel), cloudAway(pixel), colour.a, picturePixel(centre));
     vec3 radiance = colour.rgb / frame.exposure.x + haloLight(ray, key) + gloryLight(ray, key);
     if (falling.optics.x > 0.5) radiance = behindFalling(radiance, fallenAt(pixel, ray), ray, key);
     radiance += strokeLight(ray);

@@ -29,7 +29,7 @@ struct Stroke {
 
 GLSL_CONST int kMostStrokes = 4;
 GLSL_CONST int kFallBlockBinding = 8;
-GLSL_CONST int kPhaseUnit = 25;
+GLSL_CONST int kPhaseUnit = 26;
 
 UNIFORM_BLOCK(FallBlock, 8) {
     LayerFall falls[kCloudLayers];

@@ -23,12 +23,13 @@ UNIFORM_BLOCK(FrameBlock, 0) {
     mat4 worldFromClip;
     mat4 previousClipFromWorld;  // takes a position relative to this frame's camera
     mat4 worldFromCamera;        // rotation; the camera looks along its -z
-    vec4 viewport;               // width, height, 1 / width, 1 / height of the HDR target, pixels
+    vec4 viewport;               // width, height of the HDR target, 1 / width, 1 / height of the whole picture, pixels
+    vec4 tile;                   // xy: where the target's lower left corner lies in the whole picture, pixels; 0 but for a tile
     vec4 projection;             // x, y: tangent of half the horizontal and vertical field of view; z: near plane; w: pixel angle, rad
     ivec4 mode;                  // x: kProjection...; y: bits of kDebug...; z: frame number; w: 1 for a still
     vec4 cameraWorld;            // xyz: position in the world, for what varies slowly (floats: half a metre at 4000 km)
     vec4 cameraMoved;            // xyz: position now less position in the previous frame
-    vec4 time;                   // x: seconds of the simulation modulo 3600; y: seconds since the previous frame; z: UTC seconds of the day
+    vec4 time;                   // x: seconds of the simulation modulo 3600; y: seconds since the previous frame; z: UTC seconds of the day; w: seconds the eye had to adapt
     vec4 exposure;               // x: preExposure; y: display = tone map(radiance * y)
 
     vec4 sunDirection;           // xyz: unit, toward the sun; w: its angular radius

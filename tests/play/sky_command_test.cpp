@@ -105,6 +105,20 @@ TEST(SkyCommand, LeavesTheOutsideOfTheDomeBlackAndEmpty) {
     EXPECT_GT(image.at(32, 32, 0), 0.0f);
 }
 
+TEST(SkyCommand, DrawsByTilesWhatIsTooLargeToBeDrawnWhole) {
+    for (char const* name : {"wide.png", "wide.exr"}) {
+        ASSERT_EQ(run(still(name, "--time 2023-06-21T11:30Z --look 60,40 --fov 40", "4100x24")).code, 0);
+        Picture const image = picture(name);
+        ASSERT_EQ(image.width, 4100);
+        ASSERT_EQ(image.height, 24);
+        ASSERT_EQ(image.channels, 4);
+        for (int x = 512; x < 4100; x += 512)  // a clear sky changes over one pixel by less than the dither does
+            for (int channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(image.at(x, 12, channel) / image.at(x - 1, 12, channel), 1.0, 0.02) << name << " at " << x;
+    }
+    EXPECT_FALSE(fs::exists(folder() / "wide.png.new"));
+}
+
 TEST(SkyCommand, NumbersThePicturesOfATimeLapse) {
     ASSERT_EQ(run(still("lapse.exr", "--time 2023-06-21T19:00Z --look 90,20 --frames 2:3 --step 900")).code, 0);
     EXPECT_LT(picture("lapse_0003.exr").at(32, 18, 1), picture("lapse_0002.exr").at(32, 18, 1));

@@ -137,7 +137,8 @@ TEST(Keys, GiveTheirCommandOnceAPress) {
         {Key::c, Command::camera},    {Key::p, Command::pause},      {Key::f1, Command::config},
         {Key::f2, Command::normals},  {Key::f3, Command::wireframe}, {Key::f11, Command::fullScreen},
         {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::f4, Command::weather},
-        {Key::f5, Command::photo},    {Key::v, Command::air},        {Key::escape, Command::escape}};
+        {Key::f5, Command::photo},    {Key::f6, Command::studio},     {Key::v, Command::air},
+        {Key::escape, Command::escape}};
     EXPECT_EQ(std::size(table), static_cast<std::size_t>(Command::count));
     for (auto const& [key, command] : table) {
         Pilot pilot;
