@@ -11,7 +11,7 @@ layout(binding = 21) uniform sampler2D skyMultipleTable;
 layout(binding = 22) uniform sampler2D skyViewTable;
 layout(binding = 23) uniform sampler3D skyAerialTable;
 layout(binding = 24) uniform sampler3D skyAerialThroughTable;
-layout(binding = 26) uniform sampler3D skyShadeTable;  // made by AirShade
+layout(binding = 25) uniform sampler3D skyShadeTable;  // made by AirShade
 
 /// The light that clouds are lit by: the sun, or the moon once the sun gives less.
 struct KeyLight {

@@ -12,7 +12,7 @@ GLSL_CONST int kSkyMultipleUnit = 21;
 GLSL_CONST int kSkyViewUnit = 22;
 GLSL_CONST int kSkyAerialUnit = 23;
 GLSL_CONST int kSkyAerialThroughUnit = 24;
-GLSL_CONST int kSkyShadeUnit = 26;
+GLSL_CONST int kSkyShadeUnit = 25;
 
 UNIFORM_BLOCK(SkyBlock, 9) {
     Atmosphere air;
