@@ -131,6 +131,7 @@ void readAir(Airframe const& airframe, AircraftState& state, core::AirSample con
         margin = std::min(margin, strip.stallAngle - strip.surfaceStall * flap - state.strips[i].alpha);
     }
     now.stalled = area > 0.0 ? left / area : 0.0;
+    now.stallMargin = margin;
     now.stallHorn = margin < kHornMargin && now.tas > 10.0;
 }
 

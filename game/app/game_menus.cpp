@@ -37,6 +37,9 @@ void Game::obey(ui::DeviceReading const& reading) {
     using ui::Command;
     if (reading.pressed(Command::camera))
         cameras_.next(session_->simulation().delivery().parcel().has_value());
+    if (reading.mode) cameras_.select(*reading.mode);
+    if (reading.pressed(Command::hudDensity)) nextDensity();
+    if (reading.pressed(Command::mouseFlight)) change({"controls.mouseFlight", !settings_.mouse.flight});
     if (reading.pressed(Command::pause)) paused_ = !paused_;
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;
@@ -49,6 +52,11 @@ void Game::obey(ui::DeviceReading const& reading) {
     if (reading.pressed(Command::fullScreen))
         change({"graphics.full_screen", !settings_.graphics.fullScreen});
     if (reading.pressed(Command::picture)) takePicture();
+}
+
+void Game::nextDensity() {
+    auto const next = (static_cast<std::size_t>(settings_.hud.density) + 1) % ui::kDensityWords.size();
+    change({"hud.density", std::string{ui::kDensityWords[next]}});
 }
 
 /// Closes the topmost page, else opens the pause menu.
@@ -73,9 +81,18 @@ void Game::takePicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
+    if (configOpen_) {
+        constexpr int kTrialTicks = 320;  // a frame: some two milliseconds
+        if (!response_) response_.emplace(session_->simulation().aircraft().airframe());
+        response_->follow(settings_.flight.pilot, settings_.flight.assist, kTrialTicks);
+        ui::MenuWeather const weather = menuWeather();
+        answerConfig(ui::drawConfigMenu(list_, {weather, settings_.bindings, bindingsPage_, input_, std::exchange(weatherPage_, false), &response_->curves()}));
+    } else {
+        response_.reset();
+        bindingsPage_.giveUp();
+    }
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
-    if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
+    if (keysOpen_ && ui::drawKeysPage(ui::keyHelp(settings_.bindings))) keysOpen_ = false;
 }
 
 void Game::answerConfig(ui::ConfigAnswer const& answer) {
@@ -112,6 +129,7 @@ void Game::change(ui::SettingChange const& wanted) {
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
+    if (wanted.key == "view.camera") cameras_.select(settings_.view.camera);
     applyGraphics();
     followWeatherSettings();
     stored_.change(wanted.key, wanted.value);

@@ -7,6 +7,7 @@
 #include "engine/flight/aircraft.h"
 #include "game/app/flight_settings.h"
 #include "game/app/inputs.h"
+#include "game/app/landing.h"
 #include "game/app/world.h"
 #include "game/delivery/delivery.h"
 #include "game/ui/input.h"
@@ -29,7 +30,7 @@ struct SimulationOptions {
 };
 
 /// What a tick brought about, for messages and sounds.
-enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown };
+enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown, landed };
 struct FlightEventAt {
     FlightEvent event = FlightEvent::released;
     glm::dvec3 positionWorld{0.0};
@@ -65,6 +66,7 @@ public:
     weather::AirInstant airNow() const;
     World const& world() const { return world_; }
     int crashes() const { return crashes_; }
+    std::vector<Landing> const& landings() const { return landings_; }
 
     /// The events since the last call, in order.
     std::vector<FlightEventAt> takeEvents();
@@ -94,6 +96,8 @@ private:
     double clockRate_ = 1.0;           // ... so many times as fast
     double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
     int crashes_ = 0;
+    LandingWatch landingWatch_;
+    std::vector<Landing> landings_;
     std::vector<FlightEventAt> events_;
 };
 }  // namespace luftpost::app

@@ -173,7 +173,10 @@ ui::ConfigAnswer frameOfMenu(ui::ScreenFrame& frame, core::SettingList const& li
     input.mouse = pointer;
     input.mouseHeld[0] = down;
     frame.begin({1280, 720}, 1.0f, 1.0 / 60.0, &input);
-    ui::ConfigAnswer answer = ui::drawConfigMenu(list, fairWeather());
+    ui::MenuWeather const weather = fairWeather();
+    ui::Bindings const bindings;
+    ui::BindingsPage page;
+    ui::ConfigAnswer answer = ui::drawConfigMenu(list, {weather, bindings, page});
     frame.end();
     return answer;
 }
@@ -183,13 +186,14 @@ TEST(ConfigMenu, ShowsThatAllItsPagesAreThere) {
     core::SettingList const list = app::settingList(settings);
     for (glm::ivec2 const size : {glm::ivec2{960, 540}, glm::ivec2{1280, 720}, glm::ivec2{1024, 768}}) {
         ui::ScreenFrame frame;
+        ui::BindingsPage page;
         for (int i = 0; i < 3; ++i) {
             frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
-            ui::drawConfigMenu(list, fairWeather());
+            ui::drawConfigMenu(list, {fairWeather(), settings.bindings, page});
             frame.end();
         }
         ImGuiTabBar const& tabs = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);
-        EXPECT_EQ(tabs.Tabs.Size, 7) << "aircraft, weather, clouds, picture, view, sound, controls";
+        EXPECT_EQ(tabs.Tabs.Size, 8) << "aircraft, weather, clouds, picture, view, sound, controls, keys";
         EXPECT_LE(tabs.WidthAllTabsIdeal, tabs.BarRect.GetWidth()) << "no tab behind the arrows at " << size.x;
     }
 }
@@ -199,7 +203,7 @@ TEST(KeysPage, IsSeenWhole) {
         ui::ScreenFrame frame;
         for (int i = 0; i < 3; ++i) {
             frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
-            ui::drawKeysPage(ui::keyHelp());
+            ui::drawKeysPage(ui::keyHelp(ui::Bindings{}));
             frame.end();
         }
         ImGuiWindow const* page = ImGui::FindWindowByName("keys");
