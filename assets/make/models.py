@@ -450,10 +450,12 @@ def lights():
 SCALES = {row[0]: tuple(map(float, row[1:])) for row in
           re.findall(r'DialScale\{"(\w+)", ([-.\d]+), ([-.\d]+), ([-.\d]+), ([-.\d]+)\}', open(os.path.join(OUT, "..", "..", "game", "app", "panel_scales.h")).read())}
 
-# Strokes of a figure in a box 1 wide and 2 high, from its lower left corner.
+# Strokes of a figure in a box 1 wide and 2 high, from its lower left corner; h is a half.
 STROKES = {"0": ["00 10 12 02 00"], "1": ["10 12"], "2": ["02 12 11 01 00 10"], "3": ["02 12 10 00", "01 11"], "4": ["02 01 11", "12 10"],
            "5": ["12 02 01 11 10 00"], "6": ["12 02 00 10 11 01"], "7": ["02 12 10"], "8": ["00 10 12 02 00", "01 11"], "9": ["11 01 02 12 10 00"],
-           "-": ["01 11"], "N": ["00 02 10 12"], "E": ["10 00 02 12", "01 11"], "S": ["12 02 01 11 10 00"], "W": ["02 00 11 10 12"]}
+           "-": ["01 11"], "N": ["00 02 10 12"], "E": ["10 00 02 12", "01 11"], "S": ["12 02 01 11 10 00"], "W": ["02 00 h1 10 12"],
+           "A": ["00 02 12 10", "01 11"], "F": ["00 02 12", "01 11"], "G": ["12 02 00 10 11 h1"], "K": ["00 02", "12 01 10"], "L": ["02 00 10"],
+           "M": ["00 02 h1 12 10"], "O": ["00 10 12 02 00"], "P": ["00 02 12 11 01"], "R": ["00 02 12 11 01", "h1 10"], "T": ["02 12", "h2 h0"]}
 
 
 def on_dial(radius, angle):
@@ -469,7 +471,7 @@ def figure(mesh, x, y, z, text, high, material="mark", turn=0.0):
     c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     for k, letter in enumerate(text):
         for stroke in STROKES[letter]:
-            points = [(-wide / 2 + unit_ * (1.55 * k + int(p[0])), -unit_ + unit_ * int(p[1])) for p in stroke.split()]
+            points = [(-wide / 2 + unit_ * (1.55 * k + (0.5 if p[0] == "h" else int(p[0]))), -unit_ + unit_ * int(p[1])) for p in stroke.split()]
             for (z0, y0), (z1, y1) in zip(points, points[1:]):
                 size = math.hypot(z1 - z0, y1 - y0)
                 ez, ey = (z1 - z0) / size * bold, (y1 - y0) / size * bold
@@ -501,9 +503,10 @@ def angle_on(scale, reading):
     return from_angle + (to_angle - from_angle) * (reading - low) / (high - low)
 
 
-def dial(mesh, y, z, radius, x, scale, step, figures, divide=1.0, high=0.2):
-    """A face with a tick every `step` and figures (of the reading over `divide`) at `figures`."""
+def dial(mesh, y, z, radius, x, scale, step, figures, name, divide=1.0, high=0.2, name_at=-0.32):
+    """A face with its name, a tick every `step` and figures (of the reading over `divide`) at `figures`."""
     face(mesh, y, z, radius, x)
+    figure(mesh, x - 0.0055, y + name_at * radius, z, name, radius * 0.17)
     low, high_reading = SCALES[scale][:2]
     count = round((high_reading - low) / step)
     for k in range(count + 1):
@@ -572,7 +575,7 @@ def turn_and_slip(mesh, y, z, radius, x):
 
 def airspeed(mesh, y, z, radius, x):
     """With the arcs of the airframe's own marks."""
-    dial(mesh, y, z, radius, x, "needle_airspeed", 10, range(40, 181, 20), high=0.17)
+    dial(mesh, y, z, radius, x, "needle_airspeed", 10, range(40, 181, 20), "KT", name_at=0.3, high=0.17)
     with open(os.path.join(OUT, "..", "airframes", "mail_plane.json")) as file:
         marks = json.load(file)["speeds"]
     kt = lambda name: marks[name + "_kt"]
@@ -585,19 +588,19 @@ def airspeed(mesh, y, z, radius, x):
 
 def instruments(mesh, x):
     """The faces go into the mesh of the panel; the nodes that move are the answer."""
-    top, low, big, small = 0.203, 0.073, 0.051, 0.033
+    top, low, big, small = 0.226, 0.110, 0.051, 0.033
     left, middle, right = -0.365, -0.247, -0.129
     airspeed(mesh, top, left, big, x)
-    dial(mesh, top, right, big, x, "needle_altitude", 50, range(0, 1000, 100), divide=100)
-    dial(mesh, low, right, big, x, "needle_climb", 250, range(-2000, 2001, 500), divide=100, high=0.17)
-    dial(mesh, 0.20, 0.03, 0.044, x, "needle_rpm", 250, range(0, 3001, 500), divide=100)
-    dial(mesh, 0.085, 0.03, 0.044, x, "needle_fuel", 20, range(0, 161, 40), high=0.2)
-    dial(mesh, 0.225, 0.40, small, x, "needle_angle", 5, range(-10, 21, 10), high=0.26)
-    dial(mesh, 0.140, 0.40, small, x, "needle_load", 1, range(-2, 5, 2), high=0.28)
-    dial(mesh, 0.055, 0.40, small, x, "needle_flaps", 25, range(0, 101, 50), high=0.26)
+    dial(mesh, top, right, big, x, "needle_altitude", 50, range(0, 1000, 100), "FT", divide=100)
+    dial(mesh, low, right, big, x, "needle_climb", 250, range(-2000, 2001, 500), "FPM", divide=100, high=0.17)
+    dial(mesh, 0.228, 0.03, 0.044, x, "needle_rpm", 250, range(0, 3001, 500), "RPM", name_at=-0.5, divide=100)
+    dial(mesh, 0.122, 0.03, 0.044, x, "needle_fuel", 20, range(0, 161, 40), "KG", high=0.2)
+    dial(mesh, 0.240, 0.118, small, x, "needle_angle", 5, range(-10, 21, 10), "AOA", name_at=-0.45, high=0.26)
+    dial(mesh, 0.164, 0.118, small, x, "needle_load", 1, range(-2, 5, 2), "G", name_at=-0.5, high=0.28)
+    dial(mesh, 0.088, 0.118, small, x, "needle_flaps", 25, range(0, 101, 50), "FLAPS", high=0.26)
     return [hand("needle_airspeed", top, left, big, x), hand("needle_altitude_short", top, right, big, x, length=0.5, wide=0.09), hand("needle_altitude", top, right, big, x, lift=0.001),
-            hand("needle_climb", low, right, big, x), hand("needle_rpm", 0.20, 0.03, 0.044, x), hand("needle_fuel", 0.085, 0.03, 0.044, x),
-            hand("needle_angle", 0.225, 0.40, small, x), hand("needle_load", 0.140, 0.40, small, x), hand("needle_flaps", 0.055, 0.40, small, x),
+            hand("needle_climb", low, right, big, x), hand("needle_rpm", 0.228, 0.03, 0.044, x), hand("needle_fuel", 0.122, 0.03, 0.044, x),
+            hand("needle_angle", 0.240, 0.118, small, x), hand("needle_load", 0.164, 0.118, small, x), hand("needle_flaps", 0.088, 0.118, small, x),
             horizon(mesh, top, middle, big, x), compass(mesh, low, middle, big, x), *turn_and_slip(mesh, low, left, big, x)]
 
 
@@ -627,8 +630,8 @@ def cockpit():
     mesh.quad([(x - 0.06, p[1] + 0.012 - d, p[2]) for p, d in ((outline[0], 0), (outline[0], 0.03), (outline[-1], 0.03), (outline[-1], 0))], "glare")
     moving = instruments(mesh, x)
     for k in range(3):
-        mesh.box((x - 0.012, 0.235 - 0.075 * k, 0.20), (0.022, 0.058, 0.19), "radio", 0.004)
-        plate(mesh, x - 0.0245, [(0.222 - 0.075 * k, 0.125), (0.222 - 0.075 * k, 0.22), (0.249 - 0.075 * k, 0.22), (0.249 - 0.075 * k, 0.125)], "radio_glow")
+        mesh.box((x - 0.012, 0.235 - 0.075 * k, 0.27), (0.022, 0.058, 0.19), "radio", 0.004)
+        plate(mesh, x - 0.0245, [(0.222 - 0.075 * k, 0.195), (0.222 - 0.075 * k, 0.29), (0.249 - 0.075 * k, 0.29), (0.249 - 0.075 * k, 0.195)], "radio_glow")
     for z, material in ((-0.02, "dark"), (0.04, "red")):
         mesh.tube([(x - 0.01, -0.07, z), (x - 0.10, -0.07, z)], 0.007, "silver", sides=8)
         mesh.lathe([(x - 0.125, 0.001), (x - 0.12, 0.02), (x - 0.10, 0.022), (x - 0.095, 0.001)], material, axis=0, sides=14, middle=(0, -0.07, z))

@@ -268,6 +268,7 @@ ui::HudState Game::hudState() {
     hud.messages = messages_.at(simulation.seconds());
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts(settings_.bindings);
     hud.camera = cameras_.pose();
+    hud.inside = cameras_.inside();
     return hud;
 }
 }  // namespace luftpost::app

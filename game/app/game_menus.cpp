@@ -82,7 +82,7 @@ void Game::takePicture() {
 
 void Game::drawPages() {
     if (configOpen_) {
-        constexpr int kTrialTicks = 320;  // a frame: some two milliseconds
+        constexpr int kTrialTicks = 480;  // a frame: some three milliseconds
         if (!response_) response_.emplace(session_->simulation().aircraft().airframe());
         response_->follow(settings_.flight.pilot, settings_.flight.assist, kTrialTicks);
         ui::MenuWeather const weather = menuWeather();

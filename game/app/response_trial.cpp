@@ -15,7 +15,7 @@ core::GroundSample flatGround(double, double) { return {}; }
 /// The hand: stick to the right and let go, stick back and let go, pedal and let go.
 flight::Controls handAt(double t, double throttle) {
     auto const within = [t](double from, double to) { return t >= from && t < to ? 1.0 : 0.0; };
-    return {.throttle = throttle, .elevator = 0.6 * within(6.0, 7.0), .aileron = within(0.5, 1.5), .rudder = within(11.0, 12.5)};
+    return {.throttle = throttle, .elevator = 0.4 * within(6.0, 7.0), .aileron = within(0.5, 1.5), .rudder = within(11.0, 12.5)};
 }
 
 bool same(flight::AssistSettings const& a, flight::AssistSettings const& b) {

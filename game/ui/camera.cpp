@@ -122,7 +122,7 @@ void Cameras::advanceCockpit(CameraSubject const& subject, CameraInput const& in
     glm::dvec3 const eye = kPilotEyeBody - glm::dvec3{0.0, 0.012 * head_, 0.0};
     pose_.positionWorld = subject.positionWorld + subject.worldFromBody * eye;
     glm::dquat const bodyFromAhead =
-        lookingAlong(glm::dvec3{1.0, -0.05, 0.0}, glm::dvec3{0.0, 1.0, 0.0});  // a little down, over the nose
+        lookingAlong(glm::dvec3{1.0, -0.17, 0.0}, glm::dvec3{0.0, 1.0, 0.0});  // a little down: the panel and what lies over it
     pose_.worldFromCamera = glm::normalize(subject.worldFromBody * glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) *
                                            bodyFromAhead * glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
     pose_.horizontalFov = std::min(2.0, fieldOfView_ * 1.08);
@@ -157,6 +157,7 @@ void Cameras::advanceTower(CameraSubject const& subject, CameraInput const& inpu
         }
         pose_.positionWorld = *watchPost_;
     }
+    keepAboveGround(ground);  // before it aims
     glm::dvec3 const away = subject.positionWorld - pose_.positionWorld;
     pose_.worldFromCamera = glm::normalize(glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) * lookingAlong(away, glm::dvec3{0.0, 1.0, 0.0}) *
                                            glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));

@@ -234,7 +234,7 @@ void drawWeather(Pen const& pen, HudState const& state) {
 
 // --- messages, prompts, warnings ----------------------------------------------------------------------------------
 void drawMessages(Pen const& pen, HudState const& state) {
-    float y = 74.0f * pen.s;
+    float y = (state.inside ? 196.0f : 74.0f) * pen.s;
     for (HudMessage const& message : state.messages) {
         if (message.age < 0.0 || message.age > kMessageSeconds) continue;
         auto const alpha = static_cast<float>(std::clamp(std::min(message.age * 5.0, (kMessageSeconds - message.age) * 1.5), 0.0, 1.0));
@@ -330,7 +330,7 @@ void drawZoneSign(Pen const& pen, HudState const& state, NavBar const& bar, glm:
     if (!hits && bar.within) text = "Within the drop zone";
     if (text.empty()) return;
     glm::vec2 const half{0.5f * textSize(pen.f.normal, text).x + 30.0f * pen.s, 15.0f * pen.s};
-    glm::vec2 const at = middle - pen.px(0, 72);
+    glm::vec2 const at = middle + pen.px(0, state.inside ? 72.0f : -72.0f);
     pen.plate(at - half, at + half, hits ? IM_COL32(18, 104, 44, 235) : IM_COL32(20, 70, 150, 225));
     drawText(pen.list, pen.f.normal, at - glm::vec2{-9.0f * pen.s, 0.53f * pen.f.normal.size_px}, kPaper, text, 0.5f);
     pen.list.AddCircleFilled(im({at.x - half.x + 18.0f * pen.s, at.y}), 6.0f * pen.s, hits && blinkOn(state.time, 4.0, 0.6) ? kYellow : kPaper, 20);
@@ -338,7 +338,8 @@ void drawZoneSign(Pen const& pen, HudState const& state, NavBar const& bar, glm:
 
 void drawNavBar(Pen const& pen, HudState const& state) {
     NavBarLayout const layout{glm::vec2{150.0f, 46.0f} * pen.s, 33.0f * pen.s, 6.5f * pen.s};
-    glm::vec2 const middle = glm::round(glm::vec2{0.5f * pen.size.x, pen.size.y - 14.0f * pen.s - layout.half_px.y});
+    float const high = state.inside ? 74.0f * pen.s + layout.half_px.y : pen.size.y - 14.0f * pen.s - layout.half_px.y;
+    glm::vec2 const middle = glm::round(glm::vec2{0.5f * pen.size.x, high});
     float const pod = 92.0f * pen.s;
     glm::vec2 const half = layout.half_px + glm::vec2{pod, 0.0f};
     pen.list.AddRectFilled(im(middle - half), im(middle + half), IM_COL32(247, 242, 228, 216), 14.0f * pen.s);
@@ -395,7 +396,7 @@ void drawHud(HudState const& state) {
     Pen const pen{*ImGui::GetBackgroundDrawList(), fonts(), {size.x, size.y}, fonts().scale};
     drawTargetMarker(pen, state);
     drawCompass(pen, state);
-    if (state.density == HudDensity::full) drawSpeedTape(pen, state), drawBalance(pen, state);
+    if (state.density == HudDensity::full && !state.inside) drawSpeedTape(pen, state), drawBalance(pen, state);
     if (state.density == HudDensity::minimal)
         drawFigures(pen, state);
     else

@@ -98,6 +98,7 @@ struct HudState {
     bool trimActs = false;            // the assist leaves them to the pilot
     std::optional<glm::vec2> mouseStick;  // where the mouse holds the stick: + right, + pulled
     std::optional<HudLanding> landing;
+    bool inside = false;              // seen from the seat: the panel shows what flies the aircraft, and must stay free
     bool stuck = false;               // it will not fly on from here
     std::string respawnCap;           // the key that helps then
     bool stalled = false;

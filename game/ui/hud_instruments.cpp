@@ -183,7 +183,7 @@ void drawLanding(Pen const& pen, HudState const& state) {
     float wide = textSize(pen.f.large, title).x;
     for (std::string const& line : lines) wide = std::max(wide, textSize(pen.f.normal, line).x);
     glm::vec2 const size{wide + 36.0f * pen.s, (48.0f + 23.0f * static_cast<float>(lines.size())) * pen.s};
-    glm::vec2 const from = glm::round(glm::vec2{0.5f * (pen.size.x - size.x), 150.0f * pen.s});
+    glm::vec2 const from = glm::round(glm::vec2{0.5f * (pen.size.x - size.x), (state.inside ? 196.0f : 150.0f) * pen.s});
     pen.plate(from, from + size, faded(IM_COL32(14, 18, 24, 205), alpha));
     drawText(pen.list, pen.f.large, from + pen.px(18, 6), faded(kYellow, alpha), title);
     for (std::size_t i = 0; i < lines.size(); ++i)

@@ -240,7 +240,7 @@ void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
 ConfigAnswer drawConfigMenu(core::SettingList const& settings, ConfigPages const& pages) {
     ConfigAnswer answer;
     ImVec2 const size = ImGui::GetIO().DisplaySize;
-    float const width = std::min(506.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
+    float const width = std::min(568.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
     ImGui::SetNextWindowPos({size.x - 14.0f * unit(), top}, ImGuiCond_Appearing, {1.0f, 0.0f});
     ImGui::SetNextWindowSize({width, size.y - top - 150.0f * unit()}, ImGuiCond_Appearing);
     bool open = true;

@@ -76,7 +76,7 @@ void drawResponse(ResponseCurves const& curves) {
         x += wide + gap;
     }
     ImGui::Dummy({0.0f, (kHeight + kCaption + 3.0f) * unit()});
-    double const power = curves.now.empty() ? 0.0 : curves.now.front().throttle;
-    drawHelp(fmt::format("Yellow: as set; blue: by default; grey: the stick. Full lever: {:.0f} % of the power.", 100.0 * power));
+    if (curves.now.empty()) return drawHelp("A trial flight is under way ...");
+    drawHelp(fmt::format("Yellow: as set. Blue: by default. Full lever: {:.0f} % of the power.", 100.0 * curves.now.front().throttle));
 }
 }  // namespace luftpost::ui

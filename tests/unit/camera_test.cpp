@@ -84,9 +84,9 @@ TEST(Cameras, PutThePilotsEyeIntoTheCockpitLookingAhead) {
     glm::dvec3 const eye = glm::conjugate(subject.worldFromBody) * (cameras.pose().positionWorld - subject.positionWorld);
     EXPECT_LT(glm::length(eye - kPilotEyeBody), 0.05);
     glm::dvec3 const ahead = cameras.pose().worldFromCamera * glm::dvec3{0.0, 0.0, -1.0};
-    EXPECT_GT(glm::dot(ahead, subject.worldFromBody * glm::dvec3{1.0, 0.0, 0.0}), 0.99);
+    EXPECT_GT(glm::dot(ahead, subject.worldFromBody * glm::dvec3{1.0, 0.0, 0.0}), 0.98);  // ten degrees down, where the panel is
     glm::dvec3 const up = cameras.pose().worldFromCamera * glm::dvec3{0.0, 1.0, 0.0};
-    EXPECT_GT(glm::dot(up, subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}), 0.99);  // banks with the aircraft
+    EXPECT_GT(glm::dot(up, subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}), 0.98);  // banks with the aircraft
     EXPECT_TRUE(cameras.inside());
 }
 

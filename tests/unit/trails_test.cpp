@@ -105,13 +105,14 @@ TEST(ResponseTrial, ShowsWhatEachParameterDoes) {
     EXPECT_GT(core::degrees(most(usual.now, &ui::ResponsePoint::bank)), 30.0);
     ui::ResponseCurves const slow = flown({.rollSpeed_dps = 20.0});
     EXPECT_LT(most(slow.now, &ui::ResponsePoint::bank), 0.6 * most(slow.usual, &ui::ResponsePoint::bank));
-    ui::ResponseCurves const quick = flown({.pitchSpeed_dps = 45.0});
-    EXPECT_GT(most(quick.now, &ui::ResponsePoint::pitchRate), 1.1 * most(quick.usual, &ui::ResponsePoint::pitchRate));
-    ui::ResponseCurves const lazy = flown({.yawSpeed_dps = 5.0});
-    auto const pedalled = [](std::vector<ui::ResponsePoint> points) {
-        std::erase_if(points, [](ui::ResponsePoint const& p) { return p.t < 10.9; });
-        return most(points, &ui::ResponsePoint::yawRate);
+    auto const within = [](std::vector<ui::ResponsePoint> points, double from, double to, double ui::ResponsePoint::*value) {
+        std::erase_if(points, [&](ui::ResponsePoint const& p) { return p.t < from || p.t > to; });
+        return most(points, value);
     };
-    EXPECT_LT(pedalled(lazy.now), 0.7 * pedalled(lazy.usual));
+    ui::ResponseCurves const quick = flown({.pitchSpeed_dps = 45.0}), lazy = flown({.yawSpeed_dps = 5.0});
+    EXPECT_GT(within(quick.now, 6.0, 7.2, &ui::ResponsePoint::pitchRate), 1.2 * within(quick.usual, 6.0, 7.2, &ui::ResponsePoint::pitchRate));
+    EXPECT_LT(within(lazy.now, 11.0, 12.6, &ui::ResponsePoint::yawRate), 0.7 * within(lazy.usual, 11.0, 12.6, &ui::ResponsePoint::yawRate));
+    ui::ResponseCurves const held = flown({.stabilizingRoll = 0.0});
+    EXPECT_GT(within(held.now, 4.0, 5.5, &ui::ResponsePoint::bank), 1.5 * within(held.usual, 4.0, 5.5, &ui::ResponsePoint::bank));
 }
 }  // namespace
