@@ -163,7 +163,8 @@ std::vector<KeyHelp> keyHelp(Bindings const& bindings) {
     std::vector<KeyHelp> help;
     for (HelpRow const& row : helpRows()) {
         KeyHelp shown{std::string{row.group}, {}, {}, std::string{row.action}};
-        auto const add = [&](Trigger const& t) {
+        auto const add = [&](Trigger t) {
+            t.reversed = false;  // which way round an axis is says the page of bindings
             std::vector<std::string>& to = isOnPad(t) ? shown.pad : shown.caps;
             if (t.kind < Trigger::Kind::joyButton) to.push_back(triggerLabel(t));  // a joystick's numbers say little
         };

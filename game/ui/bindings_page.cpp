@@ -100,14 +100,17 @@ void BindingsPage::drawTriggers(bool axis, std::size_t row, Triggers const& trig
         ImGui::PushID(static_cast<int>(place));
         bool const shared = !axis && !further && !sharedWith(bindings, row, triggers[place]).empty();
         if (shared || asked) ImGui::PushStyleColor(ImGuiCol_Button, asked ? IM_COL32(168, 122, 12, 255) : IM_COL32(150, 40, 30, 255));
-        std::string const label = asked ? (axis ? "move it \u2026" : "press \u2026") : further ? "+" : (shared ? "! " : "") + triggerLabel(triggers[place]);
-        if (ImGui::Button(label.c_str())) ask(axis, row, place);
+        std::string const label = asked ? (axis ? "move it \u2026" : "press \u2026") : further ? "add" : (shared ? "! " : "") + triggerLabel(triggers[place]);
+        if (further && !asked) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)), ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+        bool const clicked = ImGui::Button(label.c_str());
+        if (further && !asked) ImGui::PopStyleColor(2);
+        if (clicked) ask(axis, row, place);
         if (!further && ImGui::IsItemClicked(1)) {
             Triggers rest = triggers;
             rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
             changes.push_back(changeTo(axis, row, rest));
         }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", further ? "One more" : "Click: another. Right click: none");
+        if (!wish_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", further ? "One more" : "Click: another. Right click: none");
         if (shared || asked) ImGui::PopStyleColor();
         ImGui::PopID();
         ImGui::SameLine();
@@ -123,7 +126,7 @@ void BindingsPage::drawAction(std::size_t row, Bindings const& bindings, std::ve
     ImGui::SameLine(186.0f * unit());
     drawTriggers(false, row, triggers, bindings, changes);
     if (drawReset(changed)) changes.push_back({keyOf(false, row), std::string{initialOf(false, row)}});
-    ImGui::NewLine();
+    if (!changed) ImGui::NewLine();  // the way back ends the line by itself
     for (Trigger const& trigger : triggers)
         if (auto const others = sharedWith(bindings, row, trigger); !others.empty())
             ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::kRed), "! %s does \"%s\", too", triggerLabel(trigger).c_str(), namesOf(others).c_str());

@@ -365,7 +365,8 @@ void drawTargetMarker(Pen const& pen, HudState const& state) {
     if (!state.target || state.camera.projection != render::Projection::perspective) return;
     glm::dvec3 const away = state.target->positionWorld - state.positionWorld;
     double const distance = std::hypot(away.x, away.z);
-    glm::vec2 const margin{0.06f * pen.size.x + 24.0f * pen.s, 0.13f * pen.size.y + 88.0f * pen.s};
+    bool const wide = state.density == HudDensity::full && !state.inside;  // beside the tape and the balance
+    glm::vec2 const margin{std::max(0.06f * pen.size.x + 24.0f * pen.s, wide ? 196.0f * pen.s : 0.0f), 0.13f * pen.size.y + 88.0f * pen.s};
     EdgeMarker const marker = edgeMarker(state.camera, pen.size, margin, state.target->positionWorld);
     std::string const far = distanceText(distance);
     if (glm::length(marker.outward) > 0.5f) {  // turn that way

@@ -22,8 +22,8 @@ struct Named {
 };
 constexpr std::array<Named, platform::kMouseButtons> kMouse{{{"left", "Left mouse"}, {"right", "Right mouse"}, {"middle", "Middle mouse"}, {"back", "Mouse back"}, {"forward", "Mouse forward"}}};
 constexpr std::array<Named, 2> kWheel{{{"up", "Wheel up"}, {"down", "Wheel down"}}};
-constexpr std::array<Named, platform::kPadButtons> kPadButtons{{{"south", "A"}, {"east", "B"}, {"west", "X"}, {"north", "Y"}, {"leftBumper", "LB"}, {"rightBumper", "RB"}, {"back", "Back"}, {"start", "Start"}, {"guide", "Guide"}, {"leftThumb", "Left stick down"}, {"rightThumb", "Right stick down"}, {"dpadUp", "D-pad up"}, {"dpadRight", "D-pad right"}, {"dpadDown", "D-pad down"}, {"dpadLeft", "D-pad left"}}};
-constexpr std::array<Named, platform::kPadAxes> kPadAxes{{{"leftX", "Left stick \u2190\u2192"}, {"leftY", "Left stick \u2191\u2193"}, {"rightX", "Right stick \u2190\u2192"}, {"rightY", "Right stick \u2191\u2193"}, {"leftTrigger", "LT"}, {"rightTrigger", "RT"}}};
+constexpr std::array<Named, platform::kPadButtons> kPadButtons{{{"south", "A"}, {"east", "B"}, {"west", "X"}, {"north", "Y"}, {"leftBumper", "LB"}, {"rightBumper", "RB"}, {"back", "Back"}, {"start", "Start"}, {"guide", "Guide"}, {"leftThumb", "L-stick pressed"}, {"rightThumb", "R-stick pressed"}, {"dpadUp", "D-pad \u2191"}, {"dpadRight", "D-pad \u2192"}, {"dpadDown", "D-pad \u2193"}, {"dpadLeft", "D-pad \u2190"}}};
+constexpr std::array<Named, platform::kPadAxes> kPadAxes{{{"leftX", "L-stick \u2190\u2192"}, {"leftY", "L-stick \u2191\u2193"}, {"rightX", "R-stick \u2190\u2192"}, {"rightY", "R-stick \u2191\u2193"}, {"leftTrigger", "LT"}, {"rightTrigger", "RT"}}};
 
 template <std::size_t N>
 std::optional<int> indexOf(std::array<Named, N> const& names, std::string_view word) {
@@ -77,6 +77,13 @@ std::optional<Trigger> keyTrigger(std::string_view word) {
 }
 
 Key keyOf(Trigger const& trigger) { return static_cast<Key>(trigger.code); }
+
+/// What one calls the key: those of the keypad by it, since they carry the letters of others.
+std::string printedOn(Key key) {
+    bool const keypad = key >= Key::keypad0 && key <= Key::keypadEqual;
+    std::string const label = platform::keyLabel(key);
+    return keypad && label.size() <= 2 ? "Num " + label : label;
+}
 
 bool isModifier(Key key) { return key >= Key::leftShift && key <= Key::rightSuper; }
 
@@ -201,7 +208,7 @@ std::string triggerLabel(Trigger const& t) {
     auto const code = static_cast<std::size_t>(t.code);
     char const* const minus = t.reversed ? "\u2212" : "";
     switch (t.kind) {
-        case Kind::key: return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "", t.alt ? "Alt+" : "", platform::keyLabel(keyOf(t)));
+        case Kind::key: return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "", t.alt ? "Alt+" : "", printedOn(keyOf(t)));
         case Kind::mouse: return std::string{kMouse[code].label};
         case Kind::wheel: return std::string{kWheel[code].label};
         case Kind::padButton: return std::string{kPadButtons[code].label};

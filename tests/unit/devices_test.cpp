@@ -335,9 +335,9 @@ TEST(Pad, IsInHandFromItsFirstTouchToTheNextKey) {
     EXPECT_FALSE(pilot.devices.gamepadInHand()) << "a stick that does not quite return";
     pilot.push(PadAxis::leftX, 0.8f).read();
     EXPECT_TRUE(pilot.devices.gamepadInHand());
-    EXPECT_EQ(pilot.devices.firstPrompts(pilot.bindings).front().cap, "Left stick \u2190\u2192");
+    EXPECT_EQ(pilot.devices.firstPrompts(pilot.bindings).front().cap, "L-stick \u2190\u2192");
     pilot.release().hold(Key::a).read();
     EXPECT_FALSE(pilot.devices.gamepadInHand());
-    EXPECT_NE(pilot.devices.firstPrompts(pilot.bindings).front().cap, "Left stick \u2190\u2192");
+    EXPECT_NE(pilot.devices.firstPrompts(pilot.bindings).front().cap, "L-stick \u2190\u2192");
 }
 }  // namespace
