@@ -451,7 +451,7 @@ SCALES = {row[0]: tuple(map(float, row[1:])) for row in
           re.findall(r'DialScale\{"(\w+)", ([-.\d]+), ([-.\d]+), ([-.\d]+), ([-.\d]+)\}', open(os.path.join(OUT, "..", "..", "game", "app", "panel_scales.h")).read())}
 
 # Strokes of a figure in a box 1 wide and 2 high, from its lower left corner; h is a half.
-STROKES = {"0": ["00 10 12 02 00"], "1": ["10 12"], "2": ["02 12 11 01 00 10"], "3": ["02 12 10 00", "01 11"], "4": ["02 01 11", "12 10"],
+STROKES = {"0": ["00 10 12 02 00"], "1": ["h0 h2"], "2": ["02 12 11 01 00 10"], "3": ["02 12 10 00", "01 11"], "4": ["02 01 11", "12 10"],
            "5": ["12 02 01 11 10 00"], "6": ["12 02 00 10 11 01"], "7": ["02 12 10"], "8": ["00 10 12 02 00", "01 11"], "9": ["11 01 02 12 10 00"],
            "-": ["01 11"], "N": ["00 02 10 12"], "E": ["10 00 02 12", "01 11"], "S": ["12 02 01 11 10 00"], "W": ["02 00 h1 10 12"],
            "A": ["00 02 12 10", "01 11"], "F": ["00 02 12", "01 11"], "G": ["12 02 00 10 11 h1"], "K": ["00 02", "12 01 10"], "L": ["02 00 10"],
@@ -466,7 +466,7 @@ def on_dial(radius, angle):
 
 def figure(mesh, x, y, z, text, high, material="mark", turn=0.0):
     """Plates for the text's strokes about (y, z), upright or turned by degrees clockwise."""
-    unit_, bold = high / 2, high * 0.09
+    unit_, bold = high / 2, high * 0.085
     wide = unit_ * (len(text) * 1.55 - 0.55)
     c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     for k, letter in enumerate(text):
@@ -506,7 +506,7 @@ def angle_on(scale, reading):
 def dial(mesh, y, z, radius, x, scale, step, figures, name, divide=1.0, high=0.2, name_at=-0.32):
     """A face with its name, a tick every `step` and figures (of the reading over `divide`) at `figures`."""
     face(mesh, y, z, radius, x)
-    figure(mesh, x - 0.0055, y + name_at * radius, z, name, radius * 0.17)
+    figure(mesh, x - 0.0055, y + name_at * radius, z, name, radius * 0.24)
     low, high_reading = SCALES[scale][:2]
     count = round((high_reading - low) / step)
     for k in range(count + 1):
@@ -546,10 +546,10 @@ def compass(mesh, y, z, radius, x):
     face(mesh, y, z, radius, x)
     card = Mesh()
     for k in range(36):
-        tick(card, 0, 0, -0.0055, 10 * k, radius * (0.78 if k % 3 == 0 else 0.85), radius * 0.92, radius * 0.022)
-    for k, text in enumerate(["N", "3", "6", "E", "12", "15", "S", "21", "24", "W", "30", "33"]):
-        dy, dz = on_dial(radius * 0.60, 30 * k)
-        figure(card, -0.0055, dy, dz, text, radius * 0.24, turn=30 * k)
+        tick(card, 0, 0, -0.0055, 10 * k, radius * (0.76 if k % 3 == 0 else 0.86), radius * 0.93, radius * (0.03 if k % 3 == 0 else 0.02))
+    for k, text in enumerate("NESW"):
+        dy, dz = on_dial(radius * 0.56, 90 * k)
+        figure(card, -0.0055, dy, dz, text, radius * 0.36, turn=90 * k)
     tick(mesh, y, z, x - 0.007, 0, radius * 0.80, radius * 1.04, radius * 0.04, "index")
     tick(mesh, y, z, x - 0.007, 0, -radius * 0.3, radius * 0.3, radius * 0.03, "index")
     tick(mesh, y, z, x - 0.007, 90, -radius * 0.24, radius * 0.24, radius * 0.03, "index")
@@ -575,7 +575,7 @@ def turn_and_slip(mesh, y, z, radius, x):
 
 def airspeed(mesh, y, z, radius, x):
     """With the arcs of the airframe's own marks."""
-    dial(mesh, y, z, radius, x, "needle_airspeed", 10, range(40, 181, 20), "KT", name_at=0.3, high=0.17)
+    dial(mesh, y, z, radius, x, "needle_airspeed", 10, range(40, 181, 40), "KT", name_at=0.24, high=0.27)
     with open(os.path.join(OUT, "..", "airframes", "mail_plane.json")) as file:
         marks = json.load(file)["speeds"]
     kt = lambda name: marks[name + "_kt"]
@@ -591,13 +591,13 @@ def instruments(mesh, x):
     top, low, big, small = 0.226, 0.110, 0.051, 0.033
     left, middle, right = -0.365, -0.247, -0.129
     airspeed(mesh, top, left, big, x)
-    dial(mesh, top, right, big, x, "needle_altitude", 50, range(0, 1000, 100), "FT", divide=100)
-    dial(mesh, low, right, big, x, "needle_climb", 250, range(-2000, 2001, 500), "FPM", divide=100, high=0.17)
-    dial(mesh, 0.228, 0.03, 0.044, x, "needle_rpm", 250, range(0, 3001, 500), "RPM", name_at=-0.5, divide=100)
-    dial(mesh, 0.122, 0.03, 0.044, x, "needle_fuel", 20, range(0, 161, 40), "KG", high=0.2)
-    dial(mesh, 0.240, 0.118, small, x, "needle_angle", 5, range(-10, 21, 10), "AOA", name_at=-0.45, high=0.26)
-    dial(mesh, 0.164, 0.118, small, x, "needle_load", 1, range(-2, 5, 2), "G", name_at=-0.5, high=0.28)
-    dial(mesh, 0.088, 0.118, small, x, "needle_flaps", 25, range(0, 101, 50), "FLAPS", high=0.26)
+    dial(mesh, top, right, big, x, "needle_altitude", 50, range(0, 1000, 100), "FT", divide=100, high=0.30)
+    dial(mesh, low, right, big, x, "needle_climb", 250, range(-2000, 2001, 1000), "FPM", divide=100, high=0.29, name_at=-0.26)
+    dial(mesh, 0.228, 0.03, 0.044, x, "needle_rpm", 250, range(0, 3001, 1000), "RPM", name_at=-0.74, divide=100, high=0.34)
+    dial(mesh, 0.122, 0.03, 0.044, x, "needle_fuel", 20, range(0, 161, 80), "KG", high=0.32)
+    dial(mesh, 0.240, 0.118, small, x, "needle_angle", 5, range(-10, 21, 10), "AOA", name_at=-0.68, high=0.34)
+    dial(mesh, 0.164, 0.118, small, x, "needle_load", 1, range(-2, 5, 2), "G", name_at=0.30, high=0.36)
+    dial(mesh, 0.088, 0.118, small, x, "needle_flaps", 25, range(0, 101, 50), "FLAPS", high=0.34, name_at=-0.5)
     return [hand("needle_airspeed", top, left, big, x), hand("needle_altitude_short", top, right, big, x, length=0.5, wide=0.09), hand("needle_altitude", top, right, big, x, lift=0.001),
             hand("needle_climb", low, right, big, x), hand("needle_rpm", 0.228, 0.03, 0.044, x), hand("needle_fuel", 0.122, 0.03, 0.044, x),
             hand("needle_angle", 0.240, 0.118, small, x), hand("needle_load", 0.164, 0.118, small, x), hand("needle_flaps", 0.088, 0.118, small, x),
