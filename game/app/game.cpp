@@ -76,7 +76,7 @@ void Game::readDevices(FrameStep const& step) {
     if (!surface_.hasWindow()) return;
     input_ = &surface_.poll();
     bool const listening = bindingsPage_.listening();
-    for (ui::SettingChange const& wanted : bindingsPage_.listen(*input_, settings_.bindings)) change(wanted);
+    for (ui::SettingChange const& wanted : bindingsPage_.listen(*input_, settings_.bindings, screen_.wantsPointer())) change(wanted);
     ui::Listeners const others{screen_.wantsText(), screen_.wantsPointer(), mouseHeld_};
     reading_ = devices_.read(listening ? platform::Input{} : *input_, settings_.bindings, settings_.mouse, others, step.wall,
                              static_cast<float>(surface_.size().y));

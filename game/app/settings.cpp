@@ -14,6 +14,10 @@ constexpr std::string_view kPageHead =
 Made by `luftpost settings --markdown`; a test compares the two. Each key may stand in `--set KEY=VALUE`, in the TOML file of
 `--settings FILE`, in the player's own `settings.toml` (`$XDG_CONFIG_HOME/luftpost`, else `~/.config/luftpost`; read and written
 only with a window) and in the config menu (F1). The later of these wins: player's file, `--settings`, `--set`, menu.
+
+Keys and buttons are words with spaces between, any number of them, none too: `w`, `leftShift`, `shift+f` (`control+`, `alt+`), `mouse.left`,
+`wheel.up`, `pad.south`, `joy1.button3` (hats are the last buttons). Axes are `pad.leftX`, `joy1.axis2`; a minus before one turns it round. What is
+bound to two actions does both. Keys are named after their place on a US keyboard.
 )";
 
 std::string_view groupOf(core::Setting const& setting) {

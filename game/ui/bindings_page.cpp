@@ -57,7 +57,9 @@ void BindingsPage::ask(bool axis, std::size_t row, std::size_t place) {
     note_.clear();
 }
 
-std::vector<SettingChange> BindingsPage::listen(platform::Input const& input, Bindings const& bindings) {
+std::vector<SettingChange> BindingsPage::listen(platform::Input const& all, Bindings const& bindings, bool overMenu) {
+    platform::Input input = all;
+    if (overMenu) input.mouseButtons.clear(), input.scrolled = glm::dvec2{0.0};
     if (held_ && !isDown(*held_, input)) held_.reset();
     if (!wish_) return {};
     if (wasPressed(input, Key::escape)) return wish_.reset(), std::vector<SettingChange>{};
@@ -173,7 +175,7 @@ std::vector<SettingChange> BindingsPage::draw(Bindings const& bindings, platform
     for (std::size_t row = 0; row < bindings.axes.size(); ++row) drawAxis(row, bindings, input, changes);
     ImGui::EndChild();
     ImGui::Separator();
-    drawHelp(wish_ ? (wish_->axis ? "Move the axis half way or more. Escape: leave it. Delete: none." : "Press a key, a button or turn the wheel. Escape: leave it. Delete: none.") : note_.empty() ? "Click a key to press another one. What had it before loses it." : note_);
+    drawHelp(wish_ ? (wish_->axis ? "Move the axis half way or more. Escape: leave it. Delete: none." : "Press a key or button (the mouse's beside this page). Escape: leave it. Delete: none.") : note_.empty() ? "Click a key to press another one. What had it before loses it." : note_);
     if (ImGui::Button("Reset Keys")) {
         for (std::size_t row = 0; row < bindings.actions.size(); ++row) changes.push_back({keyOf(false, row), std::string{initialOf(false, row)}});
         for (std::size_t row = 0; row < bindings.axes.size(); ++row) changes.push_back({keyOf(true, row), std::string{initialOf(true, row)}});

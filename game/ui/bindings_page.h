@@ -20,8 +20,8 @@ public:
     /// A row waits for its key, or the key it got is still held: nothing else may take what is pressed.
     bool listening() const { return wish_.has_value() || held_.has_value(); }
     /// While it listens, once a poll: what the player pressed becomes the row's; whatever had it before loses it and is named.
-    /// Escape leaves all as it was, Delete takes the old one away.
-    std::vector<SettingChange> listen(platform::Input const& input, Bindings const& bindings);
+    /// Escape leaves all as it was, Delete takes the old one away. Over a menu the mouse is the menu's (`overMenu`).
+    std::vector<SettingChange> listen(platform::Input const& input, Bindings const& bindings, bool overMenu = false);
     /// The rows of actions, then those of axes. `input`, for the axes' bars, may be null.
     std::vector<SettingChange> draw(Bindings const& bindings, platform::Input const* input);
     /// As if the row's button was clicked: the trigger at `place`, or a further one.

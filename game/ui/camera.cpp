@@ -64,6 +64,7 @@ void Cameras::select(CameraMode mode) {
     }
     mode_ = mode;
     around_ = glm::dvec2{0.0};
+    closer_ = 1.0;
     watchPost_.reset();
 }
 
@@ -115,7 +116,11 @@ void Cameras::advanceChase(CameraSubject const& subject, CameraInput const& inpu
     pose_.near = 0.5;
 }
 
+/// Lenses narrow where the wheel would bring a camera that cannot move nearer.
+void Cameras::comeNearer(double notches, double widest) { closer_ = std::clamp(closer_ * std::exp(-0.12 * notches), 0.3, widest); }
+
 void Cameras::advanceCockpit(CameraSubject const& subject, CameraInput const& input, double seconds) {
+    comeNearer(input.zoom, 1.2);
     around_ = {std::clamp(around_.x + input.look.x, -2.6, 2.6), std::clamp(around_.y + input.look.y, -1.2, 1.2)};
     // The head gives way to the load and comes back.
     head_ += (std::clamp(subject.loadFactor - 1.0, -2.0, 3.0) - head_) * follow(seconds, 0.25);
@@ -125,19 +130,20 @@ void Cameras::advanceCockpit(CameraSubject const& subject, CameraInput const& in
         lookingAlong(glm::dvec3{1.0, -0.17, 0.0}, glm::dvec3{0.0, 1.0, 0.0});  // a little down: the panel and what lies over it
     pose_.worldFromCamera = glm::normalize(subject.worldFromBody * glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) *
                                            bodyFromAhead * glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
-    pose_.horizontalFov = std::min(2.0, fieldOfView_ * 1.08);
+    pose_.horizontalFov = std::min(2.0, fieldOfView_ * 1.08 * closer_);
     pose_.near = 0.08;
 }
 
 void Cameras::advanceMounted(CameraSubject const& subject, CameraInput const& input, double seconds) {
     Mount const& mount = mode_ == CameraMode::wing ? kWingMount : kHatchMount;
+    comeNearer(input.zoom, 1.2);
     around_ = {std::clamp(around_.x + input.look.x, -2.6, 2.6), std::clamp(around_.y + input.look.y, -1.2, 1.2)};
     head_ += (std::clamp(subject.loadFactor - 1.0, -2.0, 3.0) - head_) * follow(seconds, 0.15);
     pose_.positionWorld = subject.positionWorld + subject.worldFromBody * mount.eyeBody;
     glm::dquat const bodyFromAhead = lookingAlong(mount.aimBody - mount.eyeBody, glm::dvec3{0.0, 1.0, 0.0});
     pose_.worldFromCamera = glm::normalize(subject.worldFromBody * glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) * bodyFromAhead *
                                            glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
-    pose_.horizontalFov = std::min(2.0, fieldOfView_ * mount.widening);
+    pose_.horizontalFov = std::min(2.0, fieldOfView_ * mount.widening * closer_);
     pose_.near = 0.08;
 }
 
@@ -146,7 +152,7 @@ void Cameras::advanceMounted(CameraSubject const& subject, CameraInput const& in
 void Cameras::advanceTower(CameraSubject const& subject, CameraInput const& input, GroundHeight const& ground) {
     constexpr double kSight = 4000.0, kPast = 450.0, kAhead = 330.0, kAside = 45.0, kEye = 6.0;  // m
     around_ = {around_.x + input.look.x, std::clamp(around_.y + input.look.y, -1.2, 1.2)};
-    closer_ = std::clamp(closer_ * std::exp(-0.12 * input.zoom), 0.3, 4.0);
+    comeNearer(input.zoom, 4.0);
     pose_.positionWorld = towerWorld_;
     if (glm::distance(towerWorld_, subject.positionWorld) > kSight) {
         if (!watchPost_ || glm::distance(*watchPost_, subject.positionWorld) > kPast) {

@@ -61,6 +61,7 @@ private:
     void advanceChase(CameraSubject const& subject, CameraInput const& input, double seconds);
     void advanceCockpit(CameraSubject const& subject, CameraInput const& input, double seconds);
     void advanceFree(CameraInput const& input, double seconds);
+    void comeNearer(double notches, double widest);
     void advanceMounted(CameraSubject const& subject, CameraInput const& input, double seconds);
     void advanceTower(CameraSubject const& subject, CameraInput const& input, GroundHeight const& ground);
     void advanceParcel(CameraSubject const& subject, double seconds);
@@ -78,7 +79,7 @@ private:
     double distance_ = 1.0;        // chase: factor by the wheel
     double breath_ = 0.0;          // chase: smoothed speed, m/s
     double fieldOfView_ = 1.309;
-    double closer_ = 1.0;          // tower: factor of the field of view by the wheel
+    double closer_ = 1.0;          // cockpit, wing, hatch, tower: factor of the field of view by the wheel
     double head_ = 0.0;            // smoothed load factor - 1: shifts the pilot's head, and the chase comes nearer
 };
 

@@ -105,6 +105,7 @@ TEST(BindingsPage, AddsAndTakesAwayAndLeavesAll) {
     page.ask(false, row, 2);
     platform::Input click;
     click.mouseButtons = {{platform::MouseButton::back, true}};
+    EXPECT_TRUE(page.listen(click, bindings, true).empty()) << "a click on the page is the page's";
     accept(bindings, page.listen(click, bindings));
     EXPECT_EQ(triggerWords(bindings.of(Command::pause)), "p pause mouse.back");
     page.ask(false, row, 0);

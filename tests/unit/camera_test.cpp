@@ -138,6 +138,21 @@ TEST(Cameras, RideOnTheAircraftAtTheWingAndTheHatch) {
     }
 }
 
+TEST(Cameras, ComeNearerByTheWheelByALensWhereTheyCannotMove) {
+    CameraInput nearer;
+    nearer.zoom = 5.0;
+    for (CameraMode mode : {CameraMode::cockpit, CameraMode::wing, CameraMode::hatch}) {
+        Cameras cameras = flown(mode, 60.0, 2.0);
+        double const before = cameras.pose().horizontalFov;
+        cameras.advance(turning(2.0), nearer, hills, 0.0, 0.0);
+        EXPECT_NEAR(cameras.pose().horizontalFov, before * std::exp(-0.6), 1.0e-9);
+    }
+    Cameras chase = flown(CameraMode::chase, 60.0, 2.0);
+    double const far = glm::distance(chase.pose().positionWorld, turning(2.0).positionWorld);
+    for (int i = 0; i < 60; ++i) chase.advance(turning(2.0 + i / 60.0), i == 0 ? nearer : CameraInput{}, hills, 1.0 / 60.0, 1.0 / 60.0);
+    EXPECT_LT(glm::distance(chase.pose().positionWorld, turning(2.0 + 59.0 / 60.0).positionWorld), 0.8 * far);
+}
+
 TEST(Cameras, ChaseFartherAndWiderAtSpeedAndNearerInAPull) {
     auto const after = [](double speed, double load) {
         CameraSubject subject;

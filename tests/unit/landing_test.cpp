@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/core/frames.h"
+#include "game/app/report.h"
 
 namespace {
 using namespace luftpost;
@@ -91,5 +94,18 @@ TEST(Landing, MeasuresFromTheAimOfTheWayOneLands) {
     EXPECT_NEAR(south->offLine, -5.0, 1e-6);
     EXPECT_FALSE(distanceFromAim(runway, core::worldFromEastNorth(400.0, 0.0, 300.0), 0.0));
     EXPECT_FALSE(distanceFromAim(runway, core::worldFromEastNorth(0.0, 2000.0, 300.0), 0.0));
+}
+
+TEST(Report, KeepsEachLandingWithItsDistancesOrNone) {
+    FlightReport report;
+    report.landings = {Landing{.t = 12.5, .touchdownSpeed = 0.9, .loadFactor = 1.4, .bank = core::radians(2.0), .aim = FromAim{40.0, -3.0}}, Landing{.t = 99.0, .touchAndGo = true, .aim = {}}};
+    auto const json = nlohmann::json::parse(reportText(report));
+    ASSERT_EQ(json["landings"].size(), 2u);
+    EXPECT_EQ(json["landings"][0]["touchdown_mps"], 0.9);
+    EXPECT_NEAR(json["landings"][0]["bank_deg"].get<double>(), 2.0, 1e-9);
+    EXPECT_EQ(json["landings"][0]["aim"]["beyond_m"], 40.0);
+    EXPECT_EQ(json["landings"][0]["aim"]["off_line_m"], -3.0);
+    EXPECT_TRUE(json["landings"][1]["aim"].is_null());
+    EXPECT_TRUE(json["landings"][1]["touch_and_go"].get<bool>());
 }
 }  // namespace
