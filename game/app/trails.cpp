@@ -27,8 +27,8 @@ Whirl whirlOf(core::Surface surface, core::AirSample const& air) {
     constexpr double kWet = 0.3;  // mm/h
     if (surface == core::Surface::snow) return {{0.95f, 0.96f, 1.0f, 0.45f}, 1.2};
     if (air.rain > kWet) return {{0.80f, 0.84f, 0.88f, 0.30f}, 1.6};
-    if (surface == core::Surface::sand) return {{0.72f, 0.60f, 0.42f, 0.40f}, 0.9};
-    if (surface == core::Surface::grass || surface == core::Surface::rock) return {{0.50f, 0.42f, 0.30f, 0.22f}, 0.7};
+    if (surface == core::Surface::sand) return {{0.82f, 0.72f, 0.54f, 0.60f}, 1.0};
+    if (surface == core::Surface::grass || surface == core::Surface::rock) return {{0.66f, 0.58f, 0.44f, 0.45f}, 0.9};
     return {};
 }
 }  // namespace
@@ -61,7 +61,7 @@ void Trails::followWheels(TrailScene const& scene, double seconds) {
             puff.positionWorld = glm::dvec3{foot.x, under.height + 0.15, foot.z} - way * back;
             puff.velocityWorld = 0.12 * state.velocityWorld + glm::dvec3{0.6 * shaken(made_, 1), whirl.rise, 0.6 * shaken(made_, 2)};
             puff.life = hard ? 1.6 : 2.4 + 0.8 * shaken(made_, 3);
-            puff.radius = 0.25, puff.growth = hard ? 1.1 : 0.9;
+            puff.radius = 0.4, puff.growth = hard ? 1.1 : 1.2;
             puff.colour = hard ? glm::vec4{0.75f, 0.75f, 0.77f, 0.35f} : whirl.colour;
             puffs_.push_back(puff);
             ++made_;
@@ -111,7 +111,7 @@ void Trails::addTo(std::vector<render::Puff>& puffs) const {
     for (Drift const& puff : puffs_) {
         auto const left = static_cast<float>(1.0 - puff.age / puff.life);
         glm::vec4 colour = puff.colour;
-        colour.w *= left * std::min(1.0f, static_cast<float>(puff.age / 0.08));
+        colour.w *= left * std::min(1.0f, static_cast<float>(puff.age / 0.03));
         puffs.push_back({.positionWorld = puff.positionWorld, .radius = static_cast<float>(puff.radius), .colour = colour});
     }
 }
