@@ -8,7 +8,8 @@
 namespace luftpost::app {
 namespace {
 std::optional<double> fuelSeconds(flight::Airframe const& airframe, flight::AircraftState const& aircraft) {
-    double const flow = flight::fuelFlow(airframe.engine, aircraft.surfaces.throttle, aircraft.propellerRate, aircraft.readings.density);
+    double const flow = flight::fuelFlow(airframe.engine, aircraft.surfaces.throttle, aircraft.propellerRate,
+                                         aircraft.readings.density);
     if (!(flow > 1.0e-6) || !(aircraft.fuel > 0.0)) return std::nullopt;
     return aircraft.fuel / flow;
 }
@@ -18,13 +19,16 @@ bool isStuck(Simulation const& simulation) {
     constexpr double kUpright = 0.7, kAtRest = 0.3;  // cosine; m/s
     flight::AircraftState const& aircraft = simulation.aircraft().state();
     double const upright = (aircraft.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}).y;
-    if (aircraft.readings.groundSpeed > kAtRest || !(aircraft.readings.onGround || upright < 0.0)) return false;
+    if (aircraft.readings.groundSpeed > kAtRest || !(aircraft.readings.onGround || upright < 0.0))
+        return false;
     flight::Controls const& stick = simulation.stick().controls();
-    return upright < kUpright || !(aircraft.fuel > 0.0) || (stick.throttle > 0.6 && stick.brakes < 0.1 && aircraft.surfaces.throttle > 0.55);
+    return upright < kUpright || !(aircraft.fuel > 0.0) ||
+           (stick.throttle > 0.6 && stick.brakes < 0.1 && aircraft.surfaces.throttle > 0.55);
 }
 
 ui::HudLanding landingOf(Landing const& landing, double seconds) {
-    ui::HudLanding shown{landing.touchdownSpeed, landing.speed, landing.loadFactor, landing.drift, landing.bank, landing.bounces, landing.touchAndGo};
+    ui::HudLanding shown{landing.touchdownSpeed, landing.speed,   landing.loadFactor, landing.drift,
+                         landing.bank,           landing.bounces, landing.touchAndGo};
     shown.onAirfield = landing.aim.has_value();
     if (landing.aim) shown.beyondAim = landing.aim->beyond, shown.offLine = landing.aim->offLine;
     shown.age = seconds - landing.endT;
@@ -55,7 +59,8 @@ ui::HudState instruments(Simulation const& simulation) {
     hud.fuel_kg = aircraft.fuel;
     flight::Airframe const& airframe = simulation.aircraft().airframe();
     hud.fuelSeconds = fuelSeconds(airframe, aircraft);
-    hud.marks = {airframe.stallSpeed, airframe.stallSpeedFlaps, airframe.flapLimitSpeed, airframe.cruiseLimitSpeed, airframe.neverExceedSpeed};
+    hud.marks = {airframe.stallSpeed, airframe.stallSpeedFlaps, airframe.flapLimitSpeed,
+                 airframe.cruiseLimitSpeed, airframe.neverExceedSpeed};
     hud.alpha = readings.alpha;
     hud.stallMargin = readings.stallMargin;
     hud.loadFactor = readings.loadFactor;
@@ -66,7 +71,8 @@ ui::HudState instruments(Simulation const& simulation) {
     flight::AssistLevel const assist = simulation.settings().pilot.assist;
     hud.trimActs = assist == flight::AssistLevel::sim || assist == flight::AssistLevel::light;
     hud.stuck = isStuck(simulation);
-    if (!simulation.landings().empty()) hud.landing = landingOf(simulation.landings().back(), simulation.seconds());
+    if (!simulation.landings().empty())
+        hud.landing = landingOf(simulation.landings().back(), simulation.seconds());
     hud.stalled = readings.stallHorn;
     hud.onGround = readings.onGround;
     hud.target = ui::HudTarget{zone.name, core::worldFromEastNorth(zone.east, zone.north, zone.height),

@@ -9,15 +9,18 @@
 
 namespace luftpost::app {
 namespace {
-constexpr double kFlown = 5.0;     // s in the air before a touch is a landing, and after it before one is off again
+constexpr double kFlown =
+    5.0;  // s in the air before a touch is a landing, and after it before one is off again
 constexpr double kAtRest = 1.0;    // m/s
 constexpr double kBeside = 150.0;  // m from the runway's edges that still count as the airfield
 constexpr double kLoadSeconds = 1.0;
 }  // namespace
 
-std::optional<FromAim> distanceFromAim(terrain::Runway const& runway, glm::dvec3 const& placeWorld, double heading) {
+std::optional<FromAim> distanceFromAim(terrain::Runway const& runway, glm::dvec3 const& placeWorld,
+                                       double heading) {
     glm::dvec2 const at = runway.alongAcross(placeWorld.x, -placeWorld.z);
-    if (std::abs(at.x) > 0.5 * runway.length + 2.0 * kBeside || std::abs(at.y) > 0.5 * runway.width + kBeside) return std::nullopt;
+    if (std::abs(at.x) > 0.5 * runway.length + 2.0 * kBeside || std::abs(at.y) > 0.5 * runway.width + kBeside)
+        return std::nullopt;
     double const way = core::cos(heading - runway.heading) < 0.0 ? -1.0 : 1.0;
     return FromAim{way * at.x + 0.5 * runway.length - kAimBeyondThreshold, way * at.y};
 }
@@ -36,7 +39,8 @@ void LandingWatch::touch(flight::AircraftState const& now, terrain::Runway const
     running_ = landing;
 }
 
-std::optional<Landing> LandingWatch::step(flight::AircraftState const& now, terrain::Runway const& runway, double seconds) {
+std::optional<Landing> LandingWatch::step(flight::AircraftState const& now, terrain::Runway const& runway,
+                                          double seconds) {
     bool const onGround = now.readings.onGround;
     double const before = airborne_;
     airborne_ = onGround ? 0.0 : airborne_ + core::kTickSeconds;
@@ -44,8 +48,9 @@ std::optional<Landing> LandingWatch::step(flight::AircraftState const& now, terr
     if (!running_) return std::nullopt;
     if (onGround && before > 0.2) ++running_->bounces;
     if (seconds == running_->t) running_->bounces = 0;
-    if (seconds - running_->t < kLoadSeconds) running_->loadFactor = std::max(running_->loadFactor, now.readings.loadFactor);
-    bool const rests = onGround && now.readings.groundSpeed < kAtRest, off = airborne_ > kFlown;
+    if (seconds - running_->t < kLoadSeconds)
+        running_->loadFactor = std::max(running_->loadFactor, now.readings.loadFactor);
+    bool const rests = onGround && now.readings.groundSpeed<kAtRest, off = airborne_> kFlown;
     if (!rests && !off) return std::nullopt;
     running_->touchAndGo = off;
     running_->endT = seconds;

@@ -14,7 +14,9 @@ constexpr double kBallLoad = 0.2;      // g there
 constexpr float kHorizonDepth = 0.2f;  // the horizon is a ball pressed flat
 
 /// About the panel's normal; + is clockwise as the pilot, who looks along x, sees it.
-glm::quat clockwise(double angle) { return glm::angleAxis(static_cast<float>(angle), glm::vec3{1.0f, 0.0f, 0.0f}); }
+glm::quat clockwise(double angle) {
+    return glm::angleAxis(static_cast<float>(angle), glm::vec3{1.0f, 0.0f, 0.0f});
+}
 
 render::NodePose needle(std::string_view node, double reading) {
     return {.node = std::string{node}, .rotation = clockwise(core::radians(needleAngle_deg(node, reading)))};
@@ -22,7 +24,8 @@ render::NodePose needle(std::string_view node, double reading) {
 }  // namespace
 
 double needleAngle_deg(std::string_view node, double reading) {
-    auto const scale = std::find_if(kDialScales.begin(), kDialScales.end(), [&](DialScale const& s) { return s.node == node; });
+    auto const scale = std::find_if(kDialScales.begin(), kDialScales.end(),
+                                    [&](DialScale const& s) { return s.node == node; });
     CHECK(scale != kDialScales.end(), "no dial {}", node);
     double share = (reading - scale->low) / (scale->high - scale->low);
     bool const round = scale->highAngle_deg - scale->lowAngle_deg >= 360.0;

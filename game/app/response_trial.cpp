@@ -15,7 +15,10 @@ core::GroundSample flatGround(double, double) { return {}; }
 /// The hand: stick to the right and let go, stick back and let go, pedal and let go.
 flight::Controls handAt(double t, double throttle) {
     auto const within = [t](double from, double to) { return t >= from && t < to ? 1.0 : 0.0; };
-    return {.throttle = throttle, .elevator = 0.4 * within(6.0, 7.0), .aileron = within(0.5, 1.5), .rudder = within(11.0, 12.5)};
+    return {.throttle = throttle,
+            .elevator = 0.4 * within(6.0, 7.0),
+            .aileron = within(0.5, 1.5),
+            .rudder = within(11.0, 12.5)};
 }
 
 bool same(flight::AssistSettings const& a, flight::AssistSettings const& b) {
@@ -29,7 +32,8 @@ bool same(flight::AssistSettings const& a, flight::AssistSettings const& b) {
 
 ResponseTrial::ResponseTrial(flight::Airframe airframe) : airframe_{std::move(airframe)} {}
 
-ResponseTrial::Run ResponseTrial::begin(PilotSettings const& pilot, flight::AssistSettings const& assist) const {
+ResponseTrial::Run ResponseTrial::begin(PilotSettings const& pilot,
+                                        flight::AssistSettings const& assist) const {
     constexpr double kPayload = 240.0, kFuel = 100.0;
     Run run{flight::Aircraft{airframe_, kPayload, kFuel}, pilot, assist};
     run.aircraft.startInAir({0.0, kAltitude, 0.0}, 0.0, kSpeed, stillAir, flatGround, 0.0);
@@ -45,7 +49,8 @@ bool ResponseTrial::fly(Run& run, int& ticks) {
         run.aircraft.step(hand, run.pilot.assist, run.assist, stillAir, flatGround, 0.0);
         if (run.tick % kTicksPerPoint != 0) continue;
         flight::Readings const& now = run.aircraft.state().readings;
-        run.points.push_back({t, hand.aileron, hand.elevator, hand.rudder, now.roll, now.pitchRate, now.yawRate, run.assist.maxThrottle});
+        run.points.push_back({t, hand.aileron, hand.elevator, hand.rudder, now.roll, now.pitchRate,
+                              now.yawRate, run.assist.maxThrottle});
     }
     return run.tick >= kEnd;
 }

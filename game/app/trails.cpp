@@ -8,7 +8,7 @@
 
 namespace luftpost::app {
 namespace {
-constexpr std::size_t kMost = 260;  // the oldest make way
+constexpr std::size_t kMost = 320;   // the oldest make way
 constexpr double kTyreSmoke = 12.0;  // m/s over the ground at which a tyre that begins to turn smokes
 
 /// -1..1, another one each time.
@@ -28,7 +28,8 @@ Whirl whirlOf(core::Surface surface, core::AirSample const& air) {
     if (surface == core::Surface::snow) return {{0.95f, 0.96f, 1.0f, 0.45f}, 1.2};
     if (air.rain > kWet) return {{0.80f, 0.84f, 0.88f, 0.30f}, 1.6};
     if (surface == core::Surface::sand) return {{0.82f, 0.72f, 0.54f, 0.60f}, 1.0};
-    if (surface == core::Surface::grass || surface == core::Surface::rock) return {{0.66f, 0.58f, 0.44f, 0.45f}, 0.9};
+    if (surface == core::Surface::grass || surface == core::Surface::rock)
+        return {{0.66f, 0.58f, 0.44f, 0.45f}, 0.9};
     return {};
 }
 }  // namespace
@@ -44,11 +45,13 @@ int Trails::due(double& owed, double rate, double seconds) {
 void Trails::followWheels(TrailScene const& scene, double seconds) {
     flight::AircraftState const& state = scene.state;
     double const speed = state.readings.groundSpeed;
-    bool const touched = state.touchdownTick != touchdownTick_ && state.touchdownTick >= 0 && state.readings.onGround;
+    bool const touched =
+        state.touchdownTick != touchdownTick_ && state.touchdownTick >= 0 && state.readings.onGround;
     touchdownTick_ = state.touchdownTick;
     for (std::size_t i = 0; i < scene.airframe.wheels.size(); ++i) {
         if (!state.wheels[i].contact || scene.airframe.wheels[i].skid) continue;
-        glm::dvec3 const foot = scene.pose.positionWorld + scene.pose.worldFromBody * scene.airframe.wheels[i].position;
+        glm::dvec3 const foot =
+            scene.pose.positionWorld + scene.pose.worldFromBody * scene.airframe.wheels[i].position;
         core::GroundSample const under = scene.ground(foot.x, -foot.z);
         Whirl const whirl = whirlOf(under.surface, scene.air);
         bool const hard = whirl.colour.w == 0.0f;
@@ -59,7 +62,9 @@ void Trails::followWheels(TrailScene const& scene, double seconds) {
             glm::dvec3 const way = speed > 0.1 ? state.velocityWorld / speed : glm::dvec3{0.0};
             Drift puff;
             puff.positionWorld = glm::dvec3{foot.x, under.height + 0.15, foot.z} - way * back;
-            puff.velocityWorld = 0.12 * state.velocityWorld + glm::dvec3{0.6 * shaken(made_, 1), whirl.rise, 0.6 * shaken(made_, 2)};
+            puff.velocityWorld = 0.12 * state.velocityWorld +
+                                 glm::dvec3{0.6 * shaken(made_, 1), whirl.rise, 0.6 * shaken(made_, 2)};
+            puff.age = seconds * (k + 0.5) / count;
             puff.life = hard ? 1.6 : 2.4 + 0.8 * shaken(made_, 3);
             puff.radius = 0.4, puff.growth = hard ? 1.1 : 1.2;
             puff.colour = hard ? glm::vec4{0.75f, 0.75f, 0.77f, 0.35f} : whirl.colour;
@@ -77,16 +82,20 @@ void Trails::followTips(TrailScene const& scene, double seconds) {
     double const pull = std::clamp((now.loadFactor - kPull + moist) / 1.5, 0.0, 1.0);
     double const strength = moist * pull * std::clamp((now.tas - 25.0) / 20.0, 0.0, 1.0);
     if (strength <= 0.02 || now.onGround) return;
-    int const count = due(owedByTips_, 60.0, seconds);
+    int const count = due(owedByTips_, 120.0, seconds);
     for (int k = 0; k < count; ++k)
         for (double side : {-1.0, 1.0}) {
             glm::dvec3 const tip{-0.6, scene.airframe.wingHeight - 1.0, side * 0.5 * scene.airframe.wingSpan};
             Drift puff;
-            puff.positionWorld = scene.pose.positionWorld + scene.pose.worldFromBody * tip - scene.state.velocityWorld * (seconds * (k + 0.5) / count);
-            puff.velocityWorld = scene.air.windWorld + glm::dvec3{0.3 * shaken(made_, 4), 0.3 * shaken(made_, 5), 0.3 * shaken(made_, 6)};
+            puff.positionWorld = scene.pose.positionWorld + scene.pose.worldFromBody * tip -
+                                 scene.state.velocityWorld * (seconds * (k + 0.5) / count);
+            puff.velocityWorld =
+                scene.air.windWorld +
+                glm::dvec3{0.3 * shaken(made_, 4), 0.3 * shaken(made_, 5), 0.3 * shaken(made_, 6)};
+            puff.age = seconds * (k + 0.5) / count;
             puff.life = 0.5 + 0.6 * strength;
-            puff.radius = 0.10, puff.growth = 0.35;
-            puff.colour = {0.97f, 0.98f, 1.0f, static_cast<float>(0.45 * strength)};
+            puff.radius = 0.40, puff.growth = 0.45;
+            puff.colour = {0.97f, 0.98f, 1.0f, static_cast<float>(0.26 * strength)};
             puffs_.push_back(puff);
             ++made_;
         }
@@ -104,7 +113,8 @@ void Trails::advance(TrailScene const& scene, double seconds) {
     std::erase_if(puffs_, [](Drift const& puff) { return puff.age >= puff.life; });
     followWheels(scene, seconds);
     followTips(scene, seconds);
-    if (puffs_.size() > kMost) puffs_.erase(puffs_.begin(), puffs_.end() - static_cast<std::ptrdiff_t>(kMost));
+    if (puffs_.size() > kMost)
+        puffs_.erase(puffs_.begin(), puffs_.end() - static_cast<std::ptrdiff_t>(kMost));
 }
 
 void Trails::addTo(std::vector<render::Puff>& puffs) const {
@@ -112,7 +122,9 @@ void Trails::addTo(std::vector<render::Puff>& puffs) const {
         auto const left = static_cast<float>(1.0 - puff.age / puff.life);
         glm::vec4 colour = puff.colour;
         colour.w *= left * std::min(1.0f, static_cast<float>(puff.age / 0.03));
-        puffs.push_back({.positionWorld = puff.positionWorld, .radius = static_cast<float>(puff.radius), .colour = colour});
+        puffs.push_back({.positionWorld = puff.positionWorld,
+                         .radius = static_cast<float>(puff.radius),
+                         .colour = colour});
     }
 }
 }  // namespace luftpost::app

@@ -79,11 +79,15 @@ static_assert(kAxes.size() == static_cast<std::size_t>(Axis::count));
 
 std::optional<Triggers> parseAxes(std::string_view words) {
     auto triggers = parseTriggers(words);
-    if (triggers && !std::all_of(triggers->begin(), triggers->end(), [](Trigger const& t) { return t.isAxis(); })) return std::nullopt;
+    if (triggers &&
+        !std::all_of(triggers->begin(), triggers->end(), [](Trigger const& t) { return t.isAxis(); }))
+        return std::nullopt;
     return triggers;
 }
 
-core::Setting textSetting(std::string_view key, std::string_view help, std::string_view initial, std::string_view expected, Triggers& triggers, std::optional<Triggers> (*parse)(std::string_view)) {
+core::Setting textSetting(std::string_view key, std::string_view help, std::string_view initial,
+                          std::string_view expected, Triggers& triggers,
+                          std::optional<Triggers> (*parse)(std::string_view)) {
     return {.key = key,
             .help = help,
             .words = {},
@@ -91,7 +95,10 @@ core::Setting textSetting(std::string_view key, std::string_view help, std::stri
             .accepts = [parse](std::string const& words) { return parse(words).has_value(); },
             .initial = std::string{initial},
             .get = [&triggers] { return core::SettingValue{triggerWords(triggers)}; },
-            .set = [&triggers, parse](core::SettingValue const& value) { triggers = parse(std::get<std::string>(value)).value(); }};
+            .set =
+                [&triggers, parse](core::SettingValue const& value) {
+                    triggers = parse(std::get<std::string>(value)).value();
+                }};
 }
 
 /// Rows of the keys page: what one looks for together stands together.
@@ -118,7 +125,10 @@ std::vector<HelpRow> helpRows() {
             {"View", "chase, cockpit, wing", {CameraMode::chase, CameraMode::cockpit, CameraMode::wing}},
             {"View", "hatch, tower, free", {CameraMode::hatch, CameraMode::tower, CameraMode::free}},
             {"View", "held: look around", {CameraKey::look}, {Axis::lookRight, Axis::lookUp}},
-            {"View", "move the free camera", {CameraKey::ahead, CameraKey::left, CameraKey::back, CameraKey::right, CameraKey::down, CameraKey::up}},
+            {"View",
+             "move the free camera",
+             {CameraKey::ahead, CameraKey::left, CameraKey::back, CameraKey::right, CameraKey::down,
+              CameraKey::up}},
             {"View", "instruments: how many", {hudDensity}},
             {"View", "the air: wind, lift", {air}},
             {"View", "photograph", {photo}},
@@ -135,7 +145,8 @@ std::span<ActionRow const> actionRows() { return kActions; }
 std::span<AxisRow const> axisRows() { return kAxes; }
 
 std::size_t actionOf(ActionTarget const& target) {
-    auto const found = std::find_if(kActions.begin(), kActions.end(), [&](ActionRow const& row) { return row.target == target; });
+    auto const found = std::find_if(kActions.begin(), kActions.end(),
+                                    [&](ActionRow const& row) { return row.target == target; });
     CHECK(found != kActions.end(), "no action for target {}", target.index());
     return static_cast<std::size_t>(found - kActions.begin());
 }
@@ -147,15 +158,19 @@ Bindings::Bindings() {
 
 void appendBindingSettings(core::SettingList& list, Bindings& bindings) {
     for (std::size_t i = 0; i < kActions.size(); ++i)
-        list.push_back(textSetting(kActions[i].key, kActions[i].label, kActions[i].initial, "keys and buttons", bindings.actions[i], parseTriggers));
+        list.push_back(textSetting(kActions[i].key, kActions[i].label, kActions[i].initial,
+                                   "keys and buttons", bindings.actions[i], parseTriggers));
     for (std::size_t i = 0; i < kAxes.size(); ++i)
-        list.push_back(textSetting(kAxes[i].key, kAxes[i].label, kAxes[i].initial, "axes", bindings.axes[i], parseAxes));
+        list.push_back(
+            textSetting(kAxes[i].key, kAxes[i].label, kAxes[i].initial, "axes", bindings.axes[i], parseAxes));
 }
 
 std::vector<std::size_t> sharedWith(Bindings const& bindings, std::size_t action, Trigger const& trigger) {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < bindings.actions.size(); ++i)
-        if (i != action && std::find(bindings.actions[i].begin(), bindings.actions[i].end(), trigger) != bindings.actions[i].end()) others.push_back(i);
+        if (i != action && std::find(bindings.actions[i].begin(), bindings.actions[i].end(), trigger) !=
+                               bindings.actions[i].end())
+            others.push_back(i);
     return others;
 }
 
@@ -166,7 +181,8 @@ std::vector<KeyHelp> keyHelp(Bindings const& bindings) {
         auto const add = [&](Trigger t) {
             t.reversed = false;  // which way round an axis is says the page of bindings
             std::vector<std::string>& to = isOnPad(t) ? shown.pad : shown.caps;
-            if (t.kind < Trigger::Kind::joyButton) to.push_back(triggerLabel(t));  // a joystick's numbers say little
+            if (t.kind < Trigger::Kind::joyButton)
+                to.push_back(triggerLabel(t));  // a joystick's numbers say little
         };
         for (ActionTarget const& target : row.actions)
             for (Trigger const& trigger : bindings.of(target)) add(trigger);

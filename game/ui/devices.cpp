@@ -19,16 +19,20 @@ bool isFunctionKey(Trigger const& trigger) {
 /// Whoever writes or points in a menu does not fly with the same keys and buttons.
 bool isTakenElsewhere(Trigger const& trigger, Listeners const& others) {
     bool const mouse = trigger.kind == Trigger::Kind::mouse || trigger.kind == Trigger::Kind::wheel;
-    return (others.text && trigger.kind == Trigger::Kind::key && !isFunctionKey(trigger)) || (others.pointer && mouse);
+    return (others.text && trigger.kind == Trigger::Kind::key && !isFunctionKey(trigger)) ||
+           (others.pointer && mouse);
 }
 
-/// A key with Shift held is not the plain key where both are bound: Shift+F raises the flaps and does not lower them.
+/// A key with Shift held is not the plain key where both are bound: Shift+F raises the flaps and does not
+/// lower them.
 bool isMeantOtherwise(Trigger const& plain, Bindings const& bindings, Input const& input) {
     if (plain.kind != Trigger::Kind::key || plain.shift || plain.control || plain.alt) return false;
     auto const chordIsDown = [&](Trigger const& t) {
         return t.kind == Trigger::Kind::key && t.code == plain.code && t != plain && isDown(t, input);
     };
-    return std::any_of(bindings.actions.begin(), bindings.actions.end(), [&](Triggers const& triggers) { return std::any_of(triggers.begin(), triggers.end(), chordIsDown); });
+    return std::any_of(bindings.actions.begin(), bindings.actions.end(), [&](Triggers const& triggers) {
+        return std::any_of(triggers.begin(), triggers.end(), chordIsDown);
+    });
 }
 
 /// A hand's way on several devices adds up.
@@ -52,16 +56,36 @@ void follow(std::optional<float>& told, std::optional<float> now) {
 
 void moveCamera(CameraKey key, Input const& input, CameraInput& camera) {
     switch (key) {
-        case CameraKey::left: camera.move.x -= 1.0; break;
-        case CameraKey::right: camera.move.x += 1.0; break;
-        case CameraKey::down: camera.move.y -= 1.0; break;
-        case CameraKey::up: camera.move.y += 1.0; break;
-        case CameraKey::ahead: camera.move.z -= 1.0; break;
-        case CameraKey::back: camera.move.z += 1.0; break;
-        case CameraKey::fast: camera.fast = true; break;
-        case CameraKey::look: camera.looking = true; break;
-        case CameraKey::nearer: camera.zoom += std::max(std::abs(input.scrolled.y), 0.25); break;
-        case CameraKey::farther: camera.zoom -= std::max(std::abs(input.scrolled.y), 0.25); break;
+        case CameraKey::left:
+            camera.move.x -= 1.0;
+            break;
+        case CameraKey::right:
+            camera.move.x += 1.0;
+            break;
+        case CameraKey::down:
+            camera.move.y -= 1.0;
+            break;
+        case CameraKey::up:
+            camera.move.y += 1.0;
+            break;
+        case CameraKey::ahead:
+            camera.move.z -= 1.0;
+            break;
+        case CameraKey::back:
+            camera.move.z += 1.0;
+            break;
+        case CameraKey::fast:
+            camera.fast = true;
+            break;
+        case CameraKey::look:
+            camera.looking = true;
+            break;
+        case CameraKey::nearer:
+            camera.zoom += std::max(std::abs(input.scrolled.y), 0.25);
+            break;
+        case CameraKey::farther:
+            camera.zoom -= std::max(std::abs(input.scrolled.y), 0.25);
+            break;
     }
 }
 
@@ -80,7 +104,8 @@ std::string firstLabel(Triggers const& triggers, bool onPad) {
 }
 }  // namespace
 
-DeviceReading Devices::read(Input const& input, Bindings const& bindings, MouseSettings const& mouse, Listeners const& others, double seconds, float height_px) {
+DeviceReading Devices::read(Input const& input, Bindings const& bindings, MouseSettings const& mouse,
+                            Listeners const& others, double seconds, float height_px) {
     DeviceReading reading;
     if (!input.keys.empty()) gamepadInHand_ = false;
     noteDevices(input);
@@ -91,15 +116,20 @@ DeviceReading Devices::read(Input const& input, Bindings const& bindings, MouseS
     return reading;
 }
 
-void Devices::readActions(Input const& input, Bindings const& bindings, Listeners const& others, DeviceReading& reading) const {
+void Devices::readActions(Input const& input, Bindings const& bindings, Listeners const& others,
+                          DeviceReading& reading) const {
     std::span<ActionRow const> const rows = actionRows();
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (Trigger const& trigger : bindings.actions[i]) {
-            if (isTakenElsewhere(trigger, others) || !isDown(trigger, input) || isMeantOtherwise(trigger, bindings, input)) continue;
+            if (isTakenElsewhere(trigger, others) || !isDown(trigger, input) ||
+                isMeantOtherwise(trigger, bindings, input))
+                continue;
             if (auto const* key = std::get_if<FlightKey>(&rows[i].target)) reading.flight.hold(*key);
-            if (auto const* key = std::get_if<CameraKey>(&rows[i].target)) moveCamera(*key, input, reading.camera);
+            if (auto const* key = std::get_if<CameraKey>(&rows[i].target))
+                moveCamera(*key, input, reading.camera);
             if (!wentDown(trigger, input, before_)) continue;
-            if (auto const* command = std::get_if<Command>(&rows[i].target)) reading.commands |= 1u << static_cast<unsigned>(*command);
+            if (auto const* command = std::get_if<Command>(&rows[i].target))
+                reading.commands |= 1u << static_cast<unsigned>(*command);
             if (auto const* mode = std::get_if<CameraMode>(&rows[i].target)) reading.mode = *mode;
         }
 }
@@ -110,18 +140,22 @@ void Devices::readAxes(Input const& input, Bindings const& bindings, double seco
     constexpr float kTouched = 0.35f;
     auto const sum = [&](Axis axis) { return axisSum(bindings.of(axis), input); };
     PadAxes& pad = reading.flight.pad;
-    pad.roll = sum(Axis::roll), pad.pitch = sum(Axis::pitch), pad.yaw = sum(Axis::yaw), pad.thrust = sum(Axis::thrust);
+    pad.roll = sum(Axis::roll), pad.pitch = sum(Axis::pitch), pad.yaw = sum(Axis::yaw),
+    pad.thrust = sum(Axis::thrust);
     pad.brakes = leverOf(bindings.of(Axis::brakes), input).value_or(0.0f);
     follow(lever_, leverOf(bindings.of(Axis::lever), input));
     follow(flaps_, leverOf(bindings.of(Axis::flaps), input));
     pad.lever = lever_, pad.flaps = flaps_;
     glm::dvec2 const look{sum(Axis::lookRight), sum(Axis::lookUp)};
-    if (std::max(std::abs(look.x), std::abs(look.y)) > kLookDeadZone) reading.camera.look += look * kLookRate * seconds;
-    if (std::max({std::abs(pad.roll), std::abs(pad.pitch), std::abs(pad.thrust)}) > kTouched) gamepadInHand_ = true;
+    if (std::max(std::abs(look.x), std::abs(look.y)) > kLookDeadZone)
+        reading.camera.look += look * kLookRate * seconds;
+    if (std::max({std::abs(pad.roll), std::abs(pad.pitch), std::abs(pad.thrust)}) > kTouched)
+        gamepadInHand_ = true;
 }
 
 /// The mouse looks around while its key is held, else it moves the stick where the player wants that.
-void Devices::readMouse(Input const& input, MouseSettings const& mouse, Listeners const& others, float height_px, DeviceReading& reading) {
+void Devices::readMouse(Input const& input, MouseSettings const& mouse, Listeners const& others,
+                        float height_px, DeviceReading& reading) {
     constexpr double kRadiansPerPixel = 0.004;
     if (!mouse.flight) mouseStick_.reset();
     if (mouse.flight && (!mouseStick_ || reading.pressed(Command::centreMouse))) mouseStick_ = MouseStick{};
@@ -132,7 +166,8 @@ void Devices::readMouse(Input const& input, MouseSettings const& mouse, Listener
     } else if (mouseStick_ && others.mouseFlies) {
         float const share = 1.0f / (mouse.travel * std::max(height_px, 1.0f));
         float const pulled = static_cast<float>(input.mouseMoved.y) * (mouse.invertPitch ? -1.0f : 1.0f);
-        mouseStick_->roll = std::clamp(mouseStick_->roll + static_cast<float>(input.mouseMoved.x) * share, -1.0f, 1.0f);
+        mouseStick_->roll =
+            std::clamp(mouseStick_->roll + static_cast<float>(input.mouseMoved.x) * share, -1.0f, 1.0f);
         mouseStick_->pitch = std::clamp(mouseStick_->pitch + pulled * share, -1.0f, 1.0f);
     }
     reading.flight.mouse = mouseStick_;
@@ -142,7 +177,8 @@ void Devices::noteDevices(Input const& input) {
     std::vector<std::string> now = deviceNames(input);
     if (names_ && *names_ == now) return;
     std::vector<std::string> const before = std::exchange(names_, now).value_or(std::vector<std::string>{});
-    auto const say = [&](char const* what, std::vector<std::string> const& of, std::vector<std::string> const& without) {
+    auto const say = [&](char const* what, std::vector<std::string> const& of,
+                         std::vector<std::string> const& without) {
         std::vector<std::string> names;
         std::set_difference(of.begin(), of.end(), without.begin(), without.end(), std::back_inserter(names));
         for (std::string const& name : names) news_.push_back(what + name);
@@ -161,10 +197,13 @@ std::string Devices::capOf(ActionTarget const& target, Bindings const& bindings)
 std::vector<HudPrompt> Devices::firstPrompts(Bindings const& bindings) const {
     std::vector<HudPrompt> prompts;
     auto const add = [&](std::string const& a, std::string const& b, char const* action) {
-        if (!a.empty() || !b.empty()) prompts.push_back({fmt::format("{}{}{}", a, a.empty() || b.empty() ? "" : " ", b), action});
+        if (!a.empty() || !b.empty())
+            prompts.push_back({fmt::format("{}{}{}", a, a.empty() || b.empty() ? "" : " ", b), action});
     };
     auto const axis = [&](Axis which) { return firstLabel(bindings.of(which), true); };
-    auto const action = [&](ActionTarget const& target) { return firstLabel(bindings.of(target), gamepadInHand_); };
+    auto const action = [&](ActionTarget const& target) {
+        return firstLabel(bindings.of(target), gamepadInHand_);
+    };
     if (gamepadInHand_) {
         add(axis(Axis::roll), "", "roll");
         add(axis(Axis::pitch), "", "nose up, down");

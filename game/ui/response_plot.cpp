@@ -18,9 +18,10 @@ struct Graph {
     double ResponsePoint::*stick;
     double most_deg;  // at the upper edge; the lower one is its negative
 };
-constexpr Graph kGraphs[]{{"Stick right: bank", &ResponsePoint::bank, &ResponsePoint::aileron, 70.0},
-                          {"Stick back: pitch \u00b0/s", &ResponsePoint::pitchRate, &ResponsePoint::elevator, 40.0},
-                          {"Pedal: yaw \u00b0/s", &ResponsePoint::yawRate, &ResponsePoint::rudder, 30.0}};
+constexpr Graph kGraphs[]{
+    {"Stick right: bank", &ResponsePoint::bank, &ResponsePoint::aileron, 70.0},
+    {"Stick back: pitch \u00b0/s", &ResponsePoint::pitchRate, &ResponsePoint::elevator, 40.0},
+    {"Pedal: yaw \u00b0/s", &ResponsePoint::yawRate, &ResponsePoint::rudder, 30.0}};
 
 /// The stretch of the trial in which this graph's stick is moved and what follows it.
 std::pair<double, double> stretchOf(std::vector<ResponsePoint> const& points, double ResponsePoint::*stick) {
@@ -36,12 +37,14 @@ struct Frame {
     glm::vec2 from, to;
     double begin, end, most;
     ImVec2 at(double t, double value) const {
-        auto const x = static_cast<float>((t - begin) / (end - begin)), y = static_cast<float>(0.5 - 0.5 * std::clamp(value / most, -1.0, 1.0));
+        auto const x = static_cast<float>((t - begin) / (end - begin)),
+                   y = static_cast<float>(0.5 - 0.5 * std::clamp(value / most, -1.0, 1.0));
         return {from.x + x * (to.x - from.x), from.y + y * (to.y - from.y)};
     }
 };
 
-void drawCurve(Frame const& frame, std::vector<ResponsePoint> const& points, double ResponsePoint::*value, double scale, ImU32 tone, float wide) {
+void drawCurve(Frame const& frame, std::vector<ResponsePoint> const& points, double ResponsePoint::*value,
+               double scale, ImU32 tone, float wide) {
     std::vector<ImVec2> line;
     for (ResponsePoint const& p : points)
         if (p.t >= frame.begin && p.t <= frame.end) line.push_back(frame.at(p.t, p.*value * scale));
@@ -56,11 +59,14 @@ void drawGraph(Graph const& graph, ResponseCurves const& curves, glm::vec2 from,
     ImVec2 const zero = frame.at(begin, 0.0);
     list.AddLine(zero, {to.x - 3.0f * unit(), zero.y}, IM_COL32(250, 245, 230, 60), 1.0f);
     double const toDegrees = core::degrees(1.0);
-    drawCurve(frame, curves.usual, graph.stick, 0.9 * graph.most_deg, IM_COL32(250, 245, 230, 70), 1.5f * unit());
+    drawCurve(frame, curves.usual, graph.stick, 0.9 * graph.most_deg, IM_COL32(250, 245, 230, 70),
+              1.5f * unit());
     drawCurve(frame, curves.usual, graph.value, toDegrees, IM_COL32(150, 190, 240, 190), 1.5f * unit());
     drawCurve(frame, curves.now, graph.value, toDegrees, colour::kYellow, 2.4f * unit());
-    drawPlainText(list, fonts().small, {from.x + 4.0f * unit(), from.y - kCaption * unit()}, colour::kFaint, graph.title);
-    drawPlainText(list, fonts().small, {to.x - 4.0f * unit(), from.y + 2.0f * unit()}, colour::kFaint, fmt::format("{:.0f}\u00b0", graph.most_deg), 1.0f);
+    drawPlainText(list, fonts().small, {from.x + 4.0f * unit(), from.y - kCaption * unit()}, colour::kFaint,
+                  graph.title);
+    drawPlainText(list, fonts().small, {to.x - 4.0f * unit(), from.y + 2.0f * unit()}, colour::kFaint,
+                  fmt::format("{:.0f}\u00b0", graph.most_deg), 1.0f);
 }
 }  // namespace
 
@@ -77,6 +83,7 @@ void drawResponse(ResponseCurves const& curves) {
     }
     ImGui::Dummy({0.0f, (kHeight + kCaption + 3.0f) * unit()});
     if (curves.now.empty()) return drawHelp("A trial flight is under way ...");
-    drawHelp(fmt::format("Yellow: as set. Blue: by default. Full lever: {:.0f} % of the power.", 100.0 * curves.now.front().throttle));
+    drawHelp(fmt::format("Yellow: as set. Blue: by default. Full lever: {:.0f} % of the power.",
+                         100.0 * curves.now.front().throttle));
 }
 }  // namespace luftpost::ui

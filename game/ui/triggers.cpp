@@ -20,14 +20,38 @@ constexpr int kMostJoysticks = 16, kMostJoyParts = 64;
 struct Named {
     std::string_view word, label;
 };
-constexpr std::array<Named, platform::kMouseButtons> kMouse{{{"left", "Left mouse"}, {"right", "Right mouse"}, {"middle", "Middle mouse"}, {"back", "Mouse back"}, {"forward", "Mouse forward"}}};
+constexpr std::array<Named, platform::kMouseButtons> kMouse{{{"left", "Left mouse"},
+                                                             {"right", "Right mouse"},
+                                                             {"middle", "Middle mouse"},
+                                                             {"back", "Mouse back"},
+                                                             {"forward", "Mouse forward"}}};
 constexpr std::array<Named, 2> kWheel{{{"up", "Wheel up"}, {"down", "Wheel down"}}};
-constexpr std::array<Named, platform::kPadButtons> kPadButtons{{{"south", "A"}, {"east", "B"}, {"west", "X"}, {"north", "Y"}, {"leftBumper", "LB"}, {"rightBumper", "RB"}, {"back", "Back"}, {"start", "Start"}, {"guide", "Guide"}, {"leftThumb", "L-stick pressed"}, {"rightThumb", "R-stick pressed"}, {"dpadUp", "D-pad \u2191"}, {"dpadRight", "D-pad \u2192"}, {"dpadDown", "D-pad \u2193"}, {"dpadLeft", "D-pad \u2190"}}};
-constexpr std::array<Named, platform::kPadAxes> kPadAxes{{{"leftX", "L-stick \u2190\u2192"}, {"leftY", "L-stick \u2191\u2193"}, {"rightX", "R-stick \u2190\u2192"}, {"rightY", "R-stick \u2191\u2193"}, {"leftTrigger", "LT"}, {"rightTrigger", "RT"}}};
+constexpr std::array<Named, platform::kPadButtons> kPadButtons{{{"south", "A"},
+                                                                {"east", "B"},
+                                                                {"west", "X"},
+                                                                {"north", "Y"},
+                                                                {"leftBumper", "LB"},
+                                                                {"rightBumper", "RB"},
+                                                                {"back", "Back"},
+                                                                {"start", "Start"},
+                                                                {"guide", "Guide"},
+                                                                {"leftThumb", "L-stick pressed"},
+                                                                {"rightThumb", "R-stick pressed"},
+                                                                {"dpadUp", "D-pad \u2191"},
+                                                                {"dpadRight", "D-pad \u2192"},
+                                                                {"dpadDown", "D-pad \u2193"},
+                                                                {"dpadLeft", "D-pad \u2190"}}};
+constexpr std::array<Named, platform::kPadAxes> kPadAxes{{{"leftX", "L-stick \u2190\u2192"},
+                                                          {"leftY", "L-stick \u2191\u2193"},
+                                                          {"rightX", "R-stick \u2190\u2192"},
+                                                          {"rightY", "R-stick \u2191\u2193"},
+                                                          {"leftTrigger", "LT"},
+                                                          {"rightTrigger", "RT"}}};
 
 template <std::size_t N>
 std::optional<int> indexOf(std::array<Named, N> const& names, std::string_view word) {
-    auto const found = std::find_if(names.begin(), names.end(), [&](Named const& named) { return named.word == word; });
+    auto const found =
+        std::find_if(names.begin(), names.end(), [&](Named const& named) { return named.word == word; });
     if (found == names.end()) return std::nullopt;
     return static_cast<int>(found - names.begin());
 }
@@ -55,7 +79,10 @@ std::optional<Trigger> joystickTrigger(std::string_view word, bool reversed) {
     if (!axis && !take(word, ".button")) return std::nullopt;
     auto const part = takeNumber(word, kMostJoyParts);
     if (!part || !word.empty() || (reversed && !axis)) return std::nullopt;
-    return Trigger{.kind = axis ? Kind::joyAxis : Kind::joyButton, .code = *part, .joystick = *joystick, .reversed = reversed};
+    return Trigger{.kind = axis ? Kind::joyAxis : Kind::joyButton,
+                   .code = *part,
+                   .joystick = *joystick,
+                   .reversed = reversed};
 }
 
 std::optional<Trigger> keyTrigger(std::string_view word) {
@@ -93,8 +120,11 @@ bool keyIsDown(Input const& input, Key key) {
 }
 
 bool modifiersAreDown(Trigger const& trigger, Input const& input) {
-    auto const either = [&](Key left, Key right) { return keyIsDown(input, left) || keyIsDown(input, right); };
-    return (!trigger.shift || either(Key::leftShift, Key::rightShift)) && (!trigger.control || either(Key::leftControl, Key::rightControl)) &&
+    auto const either = [&](Key left, Key right) {
+        return keyIsDown(input, left) || keyIsDown(input, right);
+    };
+    return (!trigger.shift || either(Key::leftShift, Key::rightShift)) &&
+           (!trigger.control || either(Key::leftControl, Key::rightControl)) &&
            (!trigger.alt || either(Key::leftAlt, Key::rightAlt));
 }
 
@@ -121,16 +151,22 @@ std::optional<float> rawAxis(Trigger const& trigger, Input const& input) {
 bool isHeld(Trigger const& trigger, Input const& input) {
     auto const code = static_cast<std::size_t>(trigger.code);
     switch (trigger.kind) {
-        case Kind::key: return input.isHeld(keyOf(trigger));
-        case Kind::mouse: return input.mouseHeld[code];
-        case Kind::wheel: return (trigger.code == 0 ? 1.0 : -1.0) * input.scrolled.y > 0.0;
-        case Kind::padButton: return std::any_of(input.gamepads.begin(), input.gamepads.end(), [&](platform::Gamepad const& pad) { return pad.buttons[code]; });
+        case Kind::key:
+            return input.isHeld(keyOf(trigger));
+        case Kind::mouse:
+            return input.mouseHeld[code];
+        case Kind::wheel:
+            return (trigger.code == 0 ? 1.0 : -1.0) * input.scrolled.y > 0.0;
+        case Kind::padButton:
+            return std::any_of(input.gamepads.begin(), input.gamepads.end(),
+                               [&](platform::Gamepad const& pad) { return pad.buttons[code]; });
         case Kind::joyButton: {
             platform::Joystick const* const stick = joystickOf(trigger, input);
             return stick && code < stick->buttons.size() && stick->buttons[code];
         }
         case Kind::padAxis:
-        case Kind::joyAxis: return axisValue(trigger, input) > kPressed;
+        case Kind::joyAxis:
+            return axisValue(trigger, input) > kPressed;
     }
     return false;
 }
@@ -152,7 +188,8 @@ std::optional<Trigger> parseTrigger(std::string_view word) {
     bool const reversed = take(word, "-");
     if (take(word, "joy")) return joystickTrigger(word, reversed);
     if (take(word, "pad.")) {
-        if (auto const axis = indexOf(kPadAxes, word)) return Trigger{.kind = Kind::padAxis, .code = *axis, .reversed = reversed};
+        if (auto const axis = indexOf(kPadAxes, word))
+            return Trigger{.kind = Kind::padAxis, .code = *axis, .reversed = reversed};
         auto const button = indexOf(kPadButtons, word);
         if (button && !reversed) return Trigger{.kind = Kind::padButton, .code = *button};
         return std::nullopt;
@@ -176,7 +213,8 @@ std::optional<Triggers> parseTriggers(std::string_view words) {
         if (end > 0) {
             auto const trigger = parseTrigger(words.substr(0, end));
             if (!trigger) return std::nullopt;
-            if (std::find(triggers.begin(), triggers.end(), *trigger) == triggers.end()) triggers.push_back(*trigger);
+            if (std::find(triggers.begin(), triggers.end(), *trigger) == triggers.end())
+                triggers.push_back(*trigger);
         }
         words.remove_prefix(std::min(end + 1, words.size()));
     }
@@ -187,20 +225,29 @@ std::string triggerWord(Trigger const& t) {
     auto const code = static_cast<std::size_t>(t.code);
     char const* const minus = t.reversed ? "-" : "";
     switch (t.kind) {
-        case Kind::key: return fmt::format("{}{}{}{}", t.shift ? "shift+" : "", t.control ? "control+" : "", t.alt ? "alt+" : "", platform::keyToken(keyOf(t)));
-        case Kind::mouse: return fmt::format("mouse.{}", kMouse[code].word);
-        case Kind::wheel: return fmt::format("wheel.{}", kWheel[code].word);
-        case Kind::padButton: return fmt::format("pad.{}", kPadButtons[code].word);
-        case Kind::padAxis: return fmt::format("{}pad.{}", minus, kPadAxes[code].word);
-        case Kind::joyButton: return fmt::format("joy{}.button{}", t.joystick + 1, t.code + 1);
-        case Kind::joyAxis: return fmt::format("{}joy{}.axis{}", minus, t.joystick + 1, t.code + 1);
+        case Kind::key:
+            return fmt::format("{}{}{}{}", t.shift ? "shift+" : "", t.control ? "control+" : "",
+                               t.alt ? "alt+" : "", platform::keyToken(keyOf(t)));
+        case Kind::mouse:
+            return fmt::format("mouse.{}", kMouse[code].word);
+        case Kind::wheel:
+            return fmt::format("wheel.{}", kWheel[code].word);
+        case Kind::padButton:
+            return fmt::format("pad.{}", kPadButtons[code].word);
+        case Kind::padAxis:
+            return fmt::format("{}pad.{}", minus, kPadAxes[code].word);
+        case Kind::joyButton:
+            return fmt::format("joy{}.button{}", t.joystick + 1, t.code + 1);
+        case Kind::joyAxis:
+            return fmt::format("{}joy{}.axis{}", minus, t.joystick + 1, t.code + 1);
     }
     return {};
 }
 
 std::string triggerWords(Triggers const& triggers) {
     std::string words;
-    for (Trigger const& trigger : triggers) words += fmt::format("{}{}", words.empty() ? "" : " ", triggerWord(trigger));
+    for (Trigger const& trigger : triggers)
+        words += fmt::format("{}{}", words.empty() ? "" : " ", triggerWord(trigger));
     return words;
 }
 
@@ -208,13 +255,21 @@ std::string triggerLabel(Trigger const& t) {
     auto const code = static_cast<std::size_t>(t.code);
     char const* const minus = t.reversed ? "\u2212" : "";
     switch (t.kind) {
-        case Kind::key: return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "", t.alt ? "Alt+" : "", printedOn(keyOf(t)));
-        case Kind::mouse: return std::string{kMouse[code].label};
-        case Kind::wheel: return std::string{kWheel[code].label};
-        case Kind::padButton: return std::string{kPadButtons[code].label};
-        case Kind::padAxis: return fmt::format("{}{}", minus, kPadAxes[code].label);
-        case Kind::joyButton: return fmt::format("Joystick {} button {}", t.joystick + 1, t.code + 1);
-        case Kind::joyAxis: return fmt::format("{}Joystick {} axis {}", minus, t.joystick + 1, t.code + 1);
+        case Kind::key:
+            return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "",
+                               t.alt ? "Alt+" : "", printedOn(keyOf(t)));
+        case Kind::mouse:
+            return std::string{kMouse[code].label};
+        case Kind::wheel:
+            return std::string{kWheel[code].label};
+        case Kind::padButton:
+            return std::string{kPadButtons[code].label};
+        case Kind::padAxis:
+            return fmt::format("{}{}", minus, kPadAxes[code].label);
+        case Kind::joyButton:
+            return fmt::format("Joystick {} button {}", t.joystick + 1, t.code + 1);
+        case Kind::joyAxis:
+            return fmt::format("{}Joystick {} axis {}", minus, t.joystick + 1, t.code + 1);
     }
     return {};
 }
@@ -222,7 +277,8 @@ std::string triggerLabel(Trigger const& t) {
 bool isOnPad(Trigger const& trigger) { return trigger.kind >= Kind::padButton; }
 
 bool isDown(Trigger const& trigger, Input const& input) {
-    if (trigger.kind == Kind::key) return keyIsDown(input, keyOf(trigger)) && modifiersAreDown(trigger, input);
+    if (trigger.kind == Kind::key)
+        return keyIsDown(input, keyOf(trigger)) && modifiersAreDown(trigger, input);
     if (trigger.kind == Kind::mouse)
         for (platform::MouseButtonEvent const& event : input.mouseButtons)
             if (event.pressed && static_cast<int>(event.button) == trigger.code) return true;
@@ -232,9 +288,15 @@ bool isDown(Trigger const& trigger, Input const& input) {
 bool wentDown(Trigger const& trigger, Input const& input, Input const& before) {
     if (trigger.kind == Kind::wheel) return isHeld(trigger, input);
     if (trigger.kind == Kind::mouse)
-        return std::any_of(input.mouseButtons.begin(), input.mouseButtons.end(), [&](platform::MouseButtonEvent const& event) { return event.pressed && static_cast<int>(event.button) == trigger.code; });
+        return std::any_of(input.mouseButtons.begin(), input.mouseButtons.end(),
+                           [&](platform::MouseButtonEvent const& event) {
+                               return event.pressed && static_cast<int>(event.button) == trigger.code;
+                           });
     if (trigger.kind != Kind::key) return isHeld(trigger, input) && !isHeld(trigger, before);
-    return modifiersAreDown(trigger, input) && std::any_of(input.keys.begin(), input.keys.end(), [&](platform::KeyEvent const& event) { return event.pressed && !event.repeat && event.key == keyOf(trigger); });
+    return modifiersAreDown(trigger, input) &&
+           std::any_of(input.keys.begin(), input.keys.end(), [&](platform::KeyEvent const& event) {
+               return event.pressed && !event.repeat && event.key == keyOf(trigger);
+           });
 }
 
 float axisValue(Trigger const& trigger, Input const& input) {
@@ -244,7 +306,8 @@ float axisValue(Trigger const& trigger, Input const& input) {
 std::optional<float> leverValue(Trigger const& trigger, Input const& input) {
     auto const raw = rawAxis(trigger, input);
     if (!raw) return std::nullopt;
-    bool const fromZero = trigger.kind == Kind::padAxis && trigger.code >= static_cast<int>(platform::PadAxis::leftTrigger);
+    bool const fromZero =
+        trigger.kind == Kind::padAxis && trigger.code >= static_cast<int>(platform::PadAxis::leftTrigger);
     float const share = std::clamp(fromZero ? *raw : 0.5f * (*raw + 1.0f), 0.0f, 1.0f);
     return trigger.reversed ? 1.0f - share : share;
 }
@@ -255,10 +318,13 @@ std::optional<Trigger> pressedFirst(Input const& input, Input const& before) {
         if (event.pressed) return Trigger{.kind = Kind::mouse, .code = static_cast<int>(event.button)};
     if (input.scrolled.y != 0.0) return Trigger{.kind = Kind::wheel, .code = input.scrolled.y > 0.0 ? 0 : 1};
     Triggers buttons;
-    for (int code = 0; code < platform::kPadButtons; ++code) buttons.push_back({.kind = Kind::padButton, .code = code});
+    for (int code = 0; code < platform::kPadButtons; ++code)
+        buttons.push_back({.kind = Kind::padButton, .code = code});
     for (std::size_t stick = 0; stick < input.joysticks.size(); ++stick)
         for (std::size_t code = 0; code < input.joysticks[stick].buttons.size(); ++code)
-            buttons.push_back({.kind = Kind::joyButton, .code = static_cast<int>(code), .joystick = static_cast<int>(stick)});
+            buttons.push_back({.kind = Kind::joyButton,
+                               .code = static_cast<int>(code),
+                               .joystick = static_cast<int>(stick)});
     for (Trigger const& button : buttons)
         if (wentDown(button, input, before)) return button;
     return std::nullopt;
@@ -266,10 +332,12 @@ std::optional<Trigger> pressedFirst(Input const& input, Input const& before) {
 
 std::optional<Trigger> movedFirst(Input const& input, Input const& start) {
     Triggers axes;
-    for (int code = 0; code < platform::kPadAxes; ++code) axes.push_back({.kind = Kind::padAxis, .code = code});
+    for (int code = 0; code < platform::kPadAxes; ++code)
+        axes.push_back({.kind = Kind::padAxis, .code = code});
     for (std::size_t stick = 0; stick < input.joysticks.size(); ++stick)
         for (std::size_t code = 0; code < input.joysticks[stick].axes.size(); ++code)
-            axes.push_back({.kind = Kind::joyAxis, .code = static_cast<int>(code), .joystick = static_cast<int>(stick)});
+            axes.push_back(
+                {.kind = Kind::joyAxis, .code = static_cast<int>(code), .joystick = static_cast<int>(stick)});
     for (Trigger const& axis : axes)
         if (std::abs(axisValue(axis, input) - axisValue(axis, start)) > kPressed) return axis;
     return std::nullopt;

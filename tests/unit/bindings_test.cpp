@@ -1,4 +1,5 @@
-// Words and triggers are each other's inverse, bindings are settings, and the page binds anew what the player presses.
+// Words and triggers are each other's inverse, bindings are settings, and the page binds anew what the player
+// presses.
 #include "game/ui/bindings.h"
 
 #include <gtest/gtest.h>
@@ -14,14 +15,17 @@ using namespace luftpost::ui;
 using platform::Key;
 
 TEST(Trigger, ComesBackFromItsWord) {
-    for (char const* word : {"w", "shift+f", "shift+control+alt+pageUp", "f12", "leftShift", "mouse.left", "mouse.forward", "wheel.down", "pad.south",
-                             "pad.dpadLeft", "pad.leftX", "-pad.leftTrigger", "joy1.button1", "joy16.button64", "joy2.axis3", "-joy2.axis3"}) {
+    for (char const* word :
+         {"w", "shift+f", "shift+control+alt+pageUp", "f12", "leftShift", "mouse.left", "mouse.forward",
+          "wheel.down", "pad.south", "pad.dpadLeft", "pad.leftX", "-pad.leftTrigger", "joy1.button1",
+          "joy16.button64", "joy2.axis3", "-joy2.axis3"}) {
         auto const trigger = parseTrigger(word);
         ASSERT_TRUE(trigger) << word;
         EXPECT_EQ(triggerWord(*trigger), word);
         EXPECT_FALSE(triggerLabel(*trigger).empty());
     }
-    for (char const* word : {"", "ww", "shift+", "mouse.", "mouse.side", "pad.A", "-pad.south", "-w", "joy0.axis1", "joy1.axis0", "joy1.axis65", "joy17.axis1", "joy1.hat1",
+    for (char const* word : {"", "ww", "shift+", "mouse.", "mouse.side", "pad.A", "-pad.south", "-w",
+                             "joy0.axis1", "joy1.axis0", "joy1.axis65", "joy17.axis1", "joy1.hat1",
                              "joy1.axis2x", "-joy1.button2", "joy.axis1", "joy01.axis1"})
         EXPECT_FALSE(parseTrigger(word)) << word;
 }
@@ -44,7 +48,8 @@ TEST(Bindings, HaveOneDefaultForEachTrigger) {
     for (unsigned key = 0; key < static_cast<unsigned>(FlightKey::count); ++key)
         EXPECT_FALSE(bindings.of(static_cast<FlightKey>(key)).empty()) << key << " is reached by nothing";
     for (unsigned command = 0; command < static_cast<unsigned>(Command::count); ++command)
-        EXPECT_FALSE(bindings.of(static_cast<Command>(command)).empty()) << command << " is reached by nothing";
+        EXPECT_FALSE(bindings.of(static_cast<Command>(command)).empty())
+            << command << " is reached by nothing";
 }
 
 TEST(Bindings, AreSettingsThatRefuseWhatIsNoKey) {
@@ -79,7 +84,8 @@ platform::Input pressed(Key key) {
 void accept(Bindings& bindings, std::vector<SettingChange> const& changes) {
     core::SettingList list;
     appendBindingSettings(list, bindings);
-    for (SettingChange const& change : changes) core::assignSetting(*core::findSetting(list, change.key), "page", change.value);
+    for (SettingChange const& change : changes)
+        core::assignSetting(*core::findSetting(list, change.key), "page", change.value);
 }
 
 TEST(BindingsPage, GivesTheRowWhatIsPressedAndTakesItFromWhereItWas) {
@@ -138,7 +144,8 @@ TEST(KeyHelp, ShowsWhatIsBoundNow) {
     bindings.actions[actionOf(FlightKey::drop)] = *parseTriggers("x");
     bool found = false;
     for (KeyHelp const& row : keyHelp(bindings))
-        if (row.action == "drop the parcel") found = row.caps == std::vector<std::string>{"X"} && row.pad.empty();
+        if (row.action == "drop the parcel")
+            found = row.caps == std::vector<std::string>{"X"} && row.pad.empty();
     EXPECT_TRUE(found);
 }
 }  // namespace

@@ -1,4 +1,5 @@
-// However one comes down, the flight goes on: a crash that says why, or an aircraft that stands and says how to be in the air again.
+// However one comes down, the flight goes on: a crash that says why, or an aircraft that stands and says how
+// to be in the air again.
 #include <gtest/gtest.h>
 
 #include "engine/core/frames.h"
@@ -12,8 +13,11 @@ using namespace luftpost;
 core::AirSample stillAir(glm::dvec3 const&, core::UtcSeconds) { return {}; }
 
 /// Dropped onto the ground in an attitude, with a speed ahead, and left alone for some seconds.
-flight::AircraftState dropped(glm::dquat const& worldFromBody, glm::dvec3 const& velocityWorld, core::Surface surface = core::Surface::grass) {
-    auto const ground = [surface](double, double) { return core::GroundSample{0.0, {0.0, 1.0, 0.0}, surface}; };
+flight::AircraftState dropped(glm::dquat const& worldFromBody, glm::dvec3 const& velocityWorld,
+                              core::Surface surface = core::Surface::grass) {
+    auto const ground = [surface](double, double) {
+        return core::GroundSample{0.0, {0.0, 1.0, 0.0}, surface};
+    };
     flight::Aircraft aircraft{flight::loadAirframe(platform::dataFile(app::kAirframeFile)), 240.0, 60.0};
     aircraft.startInAir({0.0, 300.0, 0.0}, 0.0, 45.0, stillAir, ground, 0.0);
     flight::AircraftState state = aircraft.state();
@@ -26,7 +30,9 @@ flight::AircraftState dropped(glm::dquat const& worldFromBody, glm::dvec3 const&
     return aircraft.state();
 }
 
-glm::dquat about(double x, double y, double z, double angle_deg) { return glm::angleAxis(core::radians(angle_deg), glm::dvec3{x, y, z}); }
+glm::dquat about(double x, double y, double z, double angle_deg) {
+    return glm::angleAxis(core::radians(angle_deg), glm::dvec3{x, y, z});
+}
 
 TEST(Crash, IsWhatEndsALandingOnTheBackOnASideOrOnTheNoseAndSaysWhy) {
     flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(app::kAirframeFile));
@@ -36,7 +42,8 @@ TEST(Crash, IsWhatEndsALandingOnTheBackOnASideOrOnTheNoseAndSaysWhy) {
             EXPECT_TRUE(state.crashed()) << roll_deg << " degrees at " << speed;
             EXPECT_NE(flight::crashText(airframe, state), "") << roll_deg;
         }
-    for (double pitch_deg : {-90.0, -45.0, 90.0}) EXPECT_TRUE(dropped(about(0.0, 0.0, 1.0, pitch_deg), {0.0, -1.0, 0.0}).crashed()) << pitch_deg;
+    for (double pitch_deg : {-90.0, -45.0, 90.0})
+        EXPECT_TRUE(dropped(about(0.0, 0.0, 1.0, pitch_deg), {0.0, -1.0, 0.0}).crashed()) << pitch_deg;
 }
 
 TEST(Crash, HasAReasonForHardLandingsStrikesAndWater) {
@@ -44,7 +51,8 @@ TEST(Crash, HasAReasonForHardLandingsStrikesAndWater) {
     flight::AircraftState const hard = dropped(about(1.0, 0.0, 0.0, 0.0), {30.0, -6.0, 0.0});
     EXPECT_EQ(hard.crash, flight::CrashReason::hardLanding);
     EXPECT_NE(flight::crashText(airframe, hard).find("too hard"), std::string::npos);
-    flight::AircraftState const wet = dropped(about(1.0, 0.0, 0.0, 0.0), {30.0, -1.0, 0.0}, core::Surface::water);
+    flight::AircraftState const wet =
+        dropped(about(1.0, 0.0, 0.0, 0.0), {30.0, -1.0, 0.0}, core::Surface::water);
     EXPECT_EQ(wet.crash, flight::CrashReason::water);
     flight::AircraftState const back = dropped(about(1.0, 0.0, 0.0, 180.0), {0.0, -1.0, 0.0});
     EXPECT_EQ(back.crash, flight::CrashReason::strike);

@@ -25,7 +25,9 @@ struct Field {
         state.readings.groundSpeed = speed;
         state.readings.loadFactor = load;
         for (int i = 0; i < static_cast<int>(seconds * core::kTicksPerSecond + 0.5); ++i)
-            if (auto const landing = watch.step(state, runway, static_cast<double>(tick++) * core::kTickSeconds)) told.push_back(*landing);
+            if (auto const landing =
+                    watch.step(state, runway, static_cast<double>(tick++) * core::kTickSeconds))
+                told.push_back(*landing);
     }
     /// Over the aim, nose north, drifting right.
     void approach() {
@@ -98,7 +100,12 @@ TEST(Landing, MeasuresFromTheAimOfTheWayOneLands) {
 
 TEST(Report, KeepsEachLandingWithItsDistancesOrNone) {
     FlightReport report;
-    report.landings = {Landing{.t = 12.5, .touchdownSpeed = 0.9, .loadFactor = 1.4, .bank = core::radians(2.0), .aim = FromAim{40.0, -3.0}}, Landing{.t = 99.0, .touchAndGo = true, .aim = {}}};
+    report.landings = {Landing{.t = 12.5,
+                               .touchdownSpeed = 0.9,
+                               .loadFactor = 1.4,
+                               .bank = core::radians(2.0),
+                               .aim = FromAim{40.0, -3.0}},
+                       Landing{.t = 99.0, .touchAndGo = true, .aim = {}}};
     auto const json = nlohmann::json::parse(reportText(report));
     ASSERT_EQ(json["landings"].size(), 2u);
     EXPECT_EQ(json["landings"][0]["touchdown_mps"], 0.9);

@@ -1,4 +1,5 @@
-// The cockpit shows the true readings: needles stand on the figures of their dials, the horizon lies as the world's does.
+// The cockpit shows the true readings: needles stand on the figures of their dials, the horizon lies as the
+// world's does.
 #include "game/app/panel.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,13 @@ using namespace luftpost;
 using app::needleAngle_deg;
 namespace fs = std::filesystem;
 
-assets::Model plane() { return assets::readModel(fs::path{LUFTPOST_SOURCE_DIR} / "assets" / "models" / "plane.glb"); }
+assets::Model plane() {
+    return assets::readModel(fs::path{LUFTPOST_SOURCE_DIR} / "assets" / "models" / "plane.glb");
+}
 
 render::NodePose poseOf(std::vector<render::NodePose> const& poses, std::string_view node) {
-    auto const found = std::find_if(poses.begin(), poses.end(), [&](render::NodePose const& pose) { return pose.node == node; });
+    auto const found = std::find_if(poses.begin(), poses.end(),
+                                    [&](render::NodePose const& pose) { return pose.node == node; });
     EXPECT_NE(found, poses.end()) << node;
     return *found;
 }
@@ -38,7 +42,8 @@ TEST(Panel, TurnsItsNeedlesToTheReadings) {
     state.fuel_kg = 80.0;
     state.heading = core::radians(90.0);
     auto const poses = app::panelPoses(state);
-    EXPECT_NEAR(pointing_deg(poseOf(poses, "needle_airspeed")), 155.0, 1e-3) << "60 of 140 kt of the way from 20 to 335 degrees";
+    EXPECT_NEAR(pointing_deg(poseOf(poses, "needle_airspeed")), 155.0, 1e-3)
+        << "60 of 140 kt of the way from 20 to 335 degrees";
     EXPECT_NEAR(pointing_deg(poseOf(poses, "needle_altitude")), 90.0, 1e-3) << "250 of 1000 ft";
     EXPECT_NEAR(pointing_deg(poseOf(poses, "needle_altitude_short")), 81.0, 1e-3) << "2250 of 10,000 ft";
     EXPECT_NEAR(pointing_deg(poseOf(poses, "needle_climb")), -5.0, 1e-3);
@@ -63,15 +68,18 @@ TEST(Panel, HoldsItsHorizonWhereTheWorldsIs) {
     EXPECT_NEAR(up.z, -0.5f, 1e-6f) << "right wing down: the sky leans to the left";
     state.roll = 0.0, state.pitch = core::radians(20.0);
     glm::quat const climbing = poseOf(app::panelPoses(state), "horizon_ball").rotation;
-    EXPECT_LT((climbing * glm::vec3{0.0f, 1.0f, 0.0f}).x, -0.3f) << "nose up: more sky in front, toward the pilot";
+    EXPECT_LT((climbing * glm::vec3{0.0f, 1.0f, 0.0f}).x, -0.3f)
+        << "nose up: more sky in front, toward the pilot";
     state.sideLoad = 0.1;
-    EXPECT_LT(poseOf(app::panelPoses(state), "slip_ball").translation.z, 0.0f) << "pushed right, the ball is left";
+    EXPECT_LT(poseOf(app::panelPoses(state), "slip_ball").translation.z, 0.0f)
+        << "pushed right, the ball is left";
 }
 
 TEST(Panel, FindsEveryNodeThatItMovesInTheModel) {
     assets::Model const model = plane();
     for (render::NodePose const& pose : app::panelPoses({})) {
-        auto const node = std::find_if(model.nodes.begin(), model.nodes.end(), [&](assets::Node const& n) { return n.name == pose.node; });
+        auto const node = std::find_if(model.nodes.begin(), model.nodes.end(),
+                                       [&](assets::Node const& n) { return n.name == pose.node; });
         EXPECT_NE(node, model.nodes.end()) << pose.node;
     }
     for (app::DialScale const& scale : app::kDialScales) EXPECT_LT(scale.low, scale.high) << scale.node;

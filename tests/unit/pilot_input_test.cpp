@@ -25,7 +25,8 @@ FlightPlan calmPlan() {
 }
 
 Replay readBack(std::string const& text) {
-    std::filesystem::path const file = std::filesystem::path{testing::TempDir()} / "luftpost_pilot_input.replay";
+    std::filesystem::path const file =
+        std::filesystem::path{testing::TempDir()} / "luftpost_pilot_input.replay";
     core::writeFileAtomically(file, text);
     return readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
 }
@@ -60,19 +61,24 @@ TEST(PilotInput, IsReadStrictly) {
         }
         return "";
     };
-    EXPECT_NE(refusal("\"lever\":0.25", "\"lever\":2").find("inputs[0].lever: expected a number 0..1, found 2"), std::string::npos);
-    EXPECT_NE(refusal("\"mouse\":[", "\"mouse\":[0.1,").find("inputs[1].mouse: expected a list of 2"), std::string::npos);
+    EXPECT_NE(
+        refusal("\"lever\":0.25", "\"lever\":2").find("inputs[0].lever: expected a number 0..1, found 2"),
+        std::string::npos);
+    EXPECT_NE(refusal("\"mouse\":[", "\"mouse\":[0.1,").find("inputs[1].mouse: expected a list of 2"),
+              std::string::npos);
 }
 
 TEST(PilotInput, FliesTheSameFlightAgainAndTrimActsInLight) {
     auto const flown = [](std::vector<StampedInput> script) {
         SessionOptions options;
         options.plan = calmPlan();
-        options.plan.weatherSha256 = World{options.plan.weather, options.plan.place, 1, 0.0}.field().origin().sha256;
+        options.plan.weatherSha256 =
+            World{options.plan.weather, options.plan.place, 1, 0.0}.field().origin().sha256;
         options.script = std::move(script);
         Session session{options};
         for (int i = 0; i < 960; ++i) session.tick();
-        return std::pair{session.report().stateHashes, session.simulation().aircraft().state().commands.elevator};
+        return std::pair{session.report().stateHashes,
+                         session.simulation().aircraft().state().commands.elevator};
     };
     auto const once = flown(hands()), again = flown(hands());
     EXPECT_EQ(once.first, again.first);

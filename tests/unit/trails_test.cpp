@@ -1,4 +1,5 @@
-// Dust, spray and vapour are there where they belong and nowhere else; the trial of the settings flies what is set.
+// Dust, spray and vapour are there where they belong and nowhere else; the trial of the settings flies what
+// is set.
 #include "game/app/trails.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,15 @@ struct Field {
     }
     std::vector<render::Puff> after(double seconds) {
         for (int i = 0; i < static_cast<int>(seconds * 60.0); ++i)
-            trails.advance({airframe, state, {}, air, [this](double, double) { return core::GroundSample{0.0, {0.0, 1.0, 0.0}, surface}; }, spread}, 1.0 / 60.0);
+            trails.advance({airframe,
+                            state,
+                            {},
+                            air,
+                            [this](double, double) {
+                                return core::GroundSample{0.0, {0.0, 1.0, 0.0}, surface};
+                            },
+                            spread},
+                           1.0 / 60.0);
         std::vector<render::Puff> puffs;
         trails.addTo(puffs);
         return puffs;
@@ -64,7 +73,8 @@ TEST(Trails, SmokeWhereTheTyresTouchTheRunwayFast) {
 
 TEST(Trails, LeaveVapourOffTheTipsInAHardPullThroughMoistAir) {
     Field moist, dry, level;
-    for (Field* field : {&moist, &dry, &level}) field->state.readings.tas = 55.0, field->state.readings.loadFactor = 2.6, field->spread = 0.3;
+    for (Field* field : {&moist, &dry, &level})
+        field->state.readings.tas = 55.0, field->state.readings.loadFactor = 2.6, field->spread = 0.3;
     dry.spread = 6.0, level.state.readings.loadFactor = 1.0;
     level.spread = 2.0;
     auto const streak = moist.after(0.5);
@@ -78,7 +88,13 @@ TEST(Trails, StandStillWhilePaused) {
     Field field;
     field.roll(20.0);
     auto const before = field.after(1.0);
-    field.trails.advance({field.airframe, field.state, {}, field.air, [](double, double) { return core::GroundSample{}; }, 8.0}, 0.0);
+    field.trails.advance({field.airframe,
+                          field.state,
+                          {},
+                          field.air,
+                          [](double, double) { return core::GroundSample{}; },
+                          8.0},
+                         0.0);
     std::vector<render::Puff> now;
     field.trails.addTo(now);
     ASSERT_EQ(now.size(), before.size());
@@ -101,18 +117,23 @@ TEST(ResponseTrial, ShowsWhatEachParameterDoes) {
     ui::ResponseCurves const usual = flown({});
     ASSERT_FALSE(usual.now.empty());
     EXPECT_EQ(usual.now.size(), usual.usual.size());
-    EXPECT_NEAR(most(usual.now, &ui::ResponsePoint::bank), most(usual.usual, &ui::ResponsePoint::bank), 1e-12) << "by default they are one";
+    EXPECT_NEAR(most(usual.now, &ui::ResponsePoint::bank), most(usual.usual, &ui::ResponsePoint::bank), 1e-12)
+        << "by default they are one";
     EXPECT_GT(core::degrees(most(usual.now, &ui::ResponsePoint::bank)), 30.0);
     ui::ResponseCurves const slow = flown({.rollSpeed_dps = 20.0});
     EXPECT_LT(most(slow.now, &ui::ResponsePoint::bank), 0.6 * most(slow.usual, &ui::ResponsePoint::bank));
-    auto const within = [](std::vector<ui::ResponsePoint> points, double from, double to, double ui::ResponsePoint::*value) {
+    auto const within = [](std::vector<ui::ResponsePoint> points, double from, double to,
+                           double ui::ResponsePoint::*value) {
         std::erase_if(points, [&](ui::ResponsePoint const& p) { return p.t < from || p.t > to; });
         return most(points, value);
     };
     ui::ResponseCurves const quick = flown({.pitchSpeed_dps = 45.0}), lazy = flown({.yawSpeed_dps = 5.0});
-    EXPECT_GT(within(quick.now, 6.0, 7.2, &ui::ResponsePoint::pitchRate), 1.2 * within(quick.usual, 6.0, 7.2, &ui::ResponsePoint::pitchRate));
-    EXPECT_LT(within(lazy.now, 11.0, 12.6, &ui::ResponsePoint::yawRate), 0.7 * within(lazy.usual, 11.0, 12.6, &ui::ResponsePoint::yawRate));
+    EXPECT_GT(within(quick.now, 6.0, 7.2, &ui::ResponsePoint::pitchRate),
+              1.2 * within(quick.usual, 6.0, 7.2, &ui::ResponsePoint::pitchRate));
+    EXPECT_LT(within(lazy.now, 11.0, 12.6, &ui::ResponsePoint::yawRate),
+              0.7 * within(lazy.usual, 11.0, 12.6, &ui::ResponsePoint::yawRate));
     ui::ResponseCurves const held = flown({.stabilizingRoll = 0.0});
-    EXPECT_GT(within(held.now, 4.0, 5.5, &ui::ResponsePoint::bank), 1.5 * within(held.usual, 4.0, 5.5, &ui::ResponsePoint::bank));
+    EXPECT_GT(within(held.now, 4.0, 5.5, &ui::ResponsePoint::bank),
+              1.5 * within(held.usual, 4.0, 5.5, &ui::ResponsePoint::bank));
 }
 }  // namespace
