@@ -66,10 +66,10 @@ constexpr auto kActions = std::to_array<ActionRow>({
 
 constexpr auto kAxes = std::to_array<AxisRow>({
     {"axes.roll", "Roll", "pad.leftX joy1.axis1"},
-    {"axes.pitch", "Pitch, pulled: nose up", "pad.leftY joy1.axis2"},
+    {"axes.pitch", "Pitch", "pad.leftY joy1.axis2"},
     {"axes.yaw", "Yaw", "joy1.axis3"},
-    {"axes.thrust", "Throttle, moves the lever", "pad.rightTrigger -pad.leftTrigger"},
-    {"axes.lever", "Throttle, is the lever", "-joy1.axis4"},
+    {"axes.thrust", "Throttle rate", "pad.rightTrigger -pad.leftTrigger"},
+    {"axes.lever", "Throttle lever", "-joy1.axis4"},
     {"axes.flaps", "Flaps lever", ""},
     {"axes.brakes", "Brakes", ""},
     {"axes.lookRight", "Look right", "pad.rightX"},

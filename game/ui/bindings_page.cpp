@@ -184,6 +184,7 @@ void BindingsPage::drawAxis(std::size_t row, Bindings const& bindings, platform:
         changes.push_back(changeTo(true, row, turned));
     }
     if (drawReset(changed)) changes.push_back({keyOf(true, row), std::string{initialOf(true, row)}});
+    if (triggers.empty() && !changed) ImGui::NewLine();  // nothing followed the bar
     ImGui::Indent(12.0f * unit());
     drawTriggers(true, row, triggers, bindings, changes);
     ImGui::NewLine();
