@@ -9,12 +9,17 @@ about an axis of their own:
     rudder                             y   (+ trailing edge to the RIGHT)
     wheel_left/right, wheel_nose       z   (- rolling forward)
     yoke_left/right                    x   (+ turned right)
+    needle_NAME, compass_card          x   (+ clockwise for the pilot; the scales are game/app/panel_scales.h)
+    horizon_ball                       z pitch, then x roll, in `horizon`, which is pressed flat along x
+slip_ball moves along z.
 `propeller` holds the blades alone, to be hidden for `propeller_disc` at speed; `spinner` stays. From the seat
 `exterior_fuselage` and `pilot` may be hidden: `interior_cabin` and `cowling` stay. `glass` (blended) is
 a child of `exterior_fuselage`.
 """
+import json
 import math
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -442,19 +447,161 @@ def lights():
 
 
 # --- inside ---------------------------------------------------------------------------------------------------
-def dial(mesh, y, z, radius, x, ticks=12, needle=0.6):
-    mesh.lathe([(x - 0.004, radius), (x - 0.004, 0.001)][::-1], "dial", axis=0, sides=24, middle=(0.0, y, z))
-    mesh.lathe([(x - 0.001, radius * 1.12), (x - 0.010, radius * 1.06), (x - 0.006, radius)], "silver", axis=0, sides=24, middle=(0.0, y, z))
-    for k in range(ticks):
-        a = 2 * math.pi * k / ticks
-        along, across = (math.cos(a), math.sin(a)), (-math.sin(a), math.cos(a))
-        wide, inner, outer = radius * 0.035, radius * 0.74, radius * 0.92
-        plate(mesh, x - 0.0055, [(y + r * along[0] + s * wide * across[0], z + r * along[1] + s * wide * across[1])
-                                 for r, s in ((inner, -1), (outer, -1), (outer, 1), (inner, 1))], "mark")
-    along, across = (math.cos(needle), math.sin(needle)), (-math.sin(needle), math.cos(needle))
-    plate(mesh, x - 0.0065, [(y + r * along[0] + s * across[0], z + r * along[1] + s * across[1])
-                             for r, s in ((-0.1 * radius, -0.05 * radius), (0.8 * radius, -0.012 * radius), (0.8 * radius, 0.012 * radius),
-                                          (-0.1 * radius, 0.05 * radius))], "needle")
+SCALES = {row[0]: tuple(map(float, row[1:])) for row in
+          re.findall(r'DialScale\{"(\w+)", ([-.\d]+), ([-.\d]+), ([-.\d]+), ([-.\d]+)\}', open(os.path.join(OUT, "..", "..", "game", "app", "panel_scales.h")).read())}
+
+# Strokes of a figure in a box 1 wide and 2 high, from its lower left corner; h is a half.
+STROKES = {"0": ["00 10 12 02 00"], "1": ["h0 h2"], "2": ["02 12 11 01 00 10"], "3": ["02 12 10 00", "01 11"], "4": ["02 01 11", "12 10"],
+           "5": ["12 02 01 11 10 00"], "6": ["12 02 00 10 11 01"], "7": ["02 12 10"], "8": ["00 10 12 02 00", "01 11"], "9": ["11 01 02 12 10 00"],
+           "-": ["01 11"], "N": ["00 02 10 12"], "E": ["10 00 02 12", "01 11"], "S": ["12 02 01 11 10 00"], "W": ["02 00 h1 10 12"],
+           "A": ["00 02 12 10", "01 11"], "F": ["00 02 12", "01 11"], "G": ["12 02 00 10 11 h1"], "K": ["00 02", "12 01 10"], "L": ["02 00 10"],
+           "M": ["00 02 h1 12 10"], "O": ["00 10 12 02 00"], "P": ["00 02 12 11 01"], "R": ["00 02 12 11 01", "h1 10"], "T": ["02 12", "h2 h0"]}
+
+
+def on_dial(radius, angle):
+    """y and z from the dial's middle, at so many degrees clockwise from the top."""
+    a = math.radians(angle)
+    return radius * math.cos(a), radius * math.sin(a)
+
+
+def figure(mesh, x, y, z, text, high, material="mark", turn=0.0):
+    """Plates for the text's strokes about (y, z), upright or turned by degrees clockwise."""
+    unit_, bold = high / 2, high * 0.085
+    wide = unit_ * (len(text) * 1.55 - 0.55)
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    for k, letter in enumerate(text):
+        for stroke in STROKES[letter]:
+            points = [(-wide / 2 + unit_ * (1.55 * k + (0.5 if p[0] == "h" else int(p[0]))), -unit_ + unit_ * int(p[1])) for p in stroke.split()]
+            for (z0, y0), (z1, y1) in zip(points, points[1:]):
+                size = math.hypot(z1 - z0, y1 - y0)
+                ez, ey = (z1 - z0) / size * bold, (y1 - y0) / size * bold
+                corners = [(z0 - ez - ey, y0 - ey + ez), (z1 + ez - ey, y1 + ey + ez), (z1 + ez + ey, y1 + ey - ez), (z0 - ez + ey, y0 - ey - ez)]
+                plate(mesh, x, [(y + b * c - a * s, z + a * c + b * s) for a, b in corners], material)
+
+
+def face(mesh, y, z, radius, x):
+    mesh.lathe([(x - 0.004, radius), (x - 0.004, 0.001)][::-1], "dial", axis=0, sides=32, middle=(0.0, y, z))
+    mesh.lathe([(x - 0.001, radius * 1.12), (x - 0.010, radius * 1.06), (x - 0.006, radius)], "silver", axis=0, sides=32, middle=(0.0, y, z))
+
+
+def tick(mesh, y, z, x, angle, inner, outer, wide, material="mark"):
+    (y0, z0), (y1, z1) = on_dial(inner, angle), on_dial(outer, angle)
+    ey, ez = on_dial(wide, angle + 90)
+    plate(mesh, x, [(y + y0 - ey, z + z0 - ez), (y + y1 - ey, z + z1 - ez), (y + y1 + ey, z + z1 + ez), (y + y0 + ey, z + z0 + ez)], material)
+
+
+def arc(mesh, y, z, x, from_angle, to_angle, inner, outer, material):
+    steps = max(2, int(abs(to_angle - from_angle) / 8))
+    for k in range(steps):
+        a, b = (from_angle + (to_angle - from_angle) * (k + d) / steps for d in (0, 1))
+        corners = [on_dial(inner, a), on_dial(outer, a), on_dial(outer, b), on_dial(inner, b)]
+        plate(mesh, x, [(y + p, z + q) for p, q in corners], material)
+
+
+def angle_on(scale, reading):
+    low, high, from_angle, to_angle = SCALES[scale]
+    return from_angle + (to_angle - from_angle) * (reading - low) / (high - low)
+
+
+def dial(mesh, y, z, radius, x, scale, step, figures, name, divide=1.0, high=0.2, name_at=-0.32):
+    """A face with its name, a tick every `step` and figures (of the reading over `divide`) at `figures`."""
+    face(mesh, y, z, radius, x)
+    figure(mesh, x - 0.0055, y + name_at * radius, z, name, radius * 0.24)
+    low, high_reading = SCALES[scale][:2]
+    count = round((high_reading - low) / step)
+    for k in range(count + 1):
+        reading = low + k * step
+        big = any(abs(reading - f) < 1e-6 for f in figures)
+        tick(mesh, y, z, x - 0.0055, angle_on(scale, reading), radius * (0.76 if big else 0.84), radius * 0.93, radius * (0.03 if big else 0.018))
+    for reading in figures:
+        dy, dz = on_dial(radius * 0.58, angle_on(scale, reading))
+        text = f"{abs(reading) / divide:.0f}"
+        figure(mesh, x - 0.0055, y + dy, z + dz, text, radius * high)
+
+
+def hand(name, y, z, radius, x, length=0.84, wide=0.05, lift=0.0):
+    """A needle's node: it points to the top and turns about the dial's middle."""
+    mesh = Mesh()
+    plate(mesh, -0.0068 - lift, [(-0.18 * radius, -wide * radius), (length * radius, -0.25 * wide * radius), (length * radius, 0.25 * wide * radius), (-0.18 * radius, wide * radius)], "needle")
+    mesh.lathe([(-0.0085 - lift, 0.1 * radius), (-0.0085 - lift, 0.001)][::-1], "silver", axis=0, sides=12)
+    return Node(name, mesh, at=(x, y, z))
+
+
+def horizon(mesh, y, z, radius, x):
+    """A ball pressed flat by the game (`horizon`), in it the ball that pitches about z and rolls about x."""
+    mesh.lathe([(x - 0.001, radius * 1.12), (x - 0.012, radius * 1.06), (x - 0.004, radius * 0.98)], "silver", axis=0, sides=32, middle=(0.0, y, z))
+    ball = Mesh()
+    at = lambda degrees, out=1.0: (out * radius * math.sin(math.radians(degrees)), out * radius * math.cos(math.radians(degrees)))
+    ball.lathe([at(d) for d in range(0, 91, 6)], "horizon_sky", axis=1, sides=36)
+    ball.lathe([at(d) for d in range(-90, 1, 6)], "horizon_land", axis=1, sides=36)
+    for d, half in ((0, 1.1), (10, 0.55), (20, 0.55), (-10, 0.55), (-20, 0.55)):
+        ball.lathe([at(d - half, 1.012), at(d + half, 1.012)], "mark", axis=1, sides=36)
+    for side in (-1, 1):  # the aircraft before it
+        plate(mesh, x - 0.0125, [(y + 0.0014, z + side * radius * 0.22), (y + 0.0014, z + side * radius * 0.62), (y - 0.0014, z + side * radius * 0.62), (y - 0.0014, z + side * radius * 0.22)], "index")
+    plate(mesh, x - 0.0125, [(y + 0.0018, z - 0.0018), (y + 0.0018, z + 0.0018), (y - 0.0018, z + 0.0018), (y - 0.0018, z - 0.0018)], "index")
+    return Node("horizon", at=(x - 0.002, y, z), children=[Node("horizon_ball", ball)])
+
+
+def compass(mesh, y, z, radius, x):
+    face(mesh, y, z, radius, x)
+    card = Mesh()
+    for k in range(36):
+        tick(card, 0, 0, -0.0055, 10 * k, radius * (0.76 if k % 3 == 0 else 0.86), radius * 0.93, radius * (0.03 if k % 3 == 0 else 0.02))
+    for k, text in enumerate("NESW"):
+        dy, dz = on_dial(radius * 0.56, 90 * k)
+        figure(card, -0.0055, dy, dz, text, radius * 0.36, turn=90 * k)
+    tick(mesh, y, z, x - 0.007, 0, radius * 0.80, radius * 1.04, radius * 0.04, "index")
+    tick(mesh, y, z, x - 0.007, 0, -radius * 0.3, radius * 0.3, radius * 0.03, "index")
+    tick(mesh, y, z, x - 0.007, 90, -radius * 0.24, radius * 0.24, radius * 0.03, "index")
+    return Node("compass_card", card, at=(x, y, z))
+
+
+def turn_and_slip(mesh, y, z, radius, x):
+    face(mesh, y, z, radius, x)
+    for side in (-1, 1):  # level, and the turn that takes two minutes
+        for angle in (90, 90 + angle_on("needle_turn", 3)):
+            tick(mesh, y, z, x - 0.0055, side * angle, radius * 0.78, radius * 0.94, radius * 0.04)
+    dy = -0.55 * radius
+    plate(mesh, x - 0.0055, [(y + dy + 0.0055, z - 0.026), (y + dy + 0.0055, z + 0.026), (y + dy - 0.0055, z + 0.026), (y + dy - 0.0055, z - 0.026)], "mark")
+    for side in (-1, 1):
+        plate(mesh, x - 0.0062, [(y + dy + 0.0055, z + side * 0.0066 - 0.0006), (y + dy + 0.0055, z + side * 0.0066 + 0.0006), (y + dy - 0.0055, z + side * 0.0066 + 0.0006), (y + dy - 0.0055, z + side * 0.0066 - 0.0006)], "dial")
+    ball = Mesh()
+    ball.lathe([(-0.0068, 0.0050), (-0.0068, 0.0005)][::-1], "dial", axis=0, sides=16)
+    plane_ = Mesh()
+    for angle, length_, wide in ((90, 0.72, 0.045), (-90, 0.72, 0.045), (0, 0.26, 0.04)):
+        tick(plane_, 0, 0, -0.0072, angle, 0.0, radius * length_, radius * wide, "needle")
+    return [Node("slip_ball", ball, at=(x, y + dy, z)), Node("needle_turn", plane_, at=(x, y, z))]
+
+
+def airspeed(mesh, y, z, radius, x):
+    """With the arcs of the airframe's own marks."""
+    dial(mesh, y, z, radius, x, "needle_airspeed", 10, range(40, 181, 40), "KT", name_at=0.24, high=0.27)
+    with open(os.path.join(OUT, "..", "airframes", "mail_plane.json")) as file:
+        marks = json.load(file)["speeds"]
+    kt = lambda name: marks[name + "_kt"]
+    at = lambda reading: angle_on("needle_airspeed", reading)
+    arc(mesh, y, z, x - 0.0052, at(kt("stallFlaps")), at(kt("flapLimit")), radius * 0.68, radius * 0.73, "mark")
+    arc(mesh, y, z, x - 0.0052, at(kt("stall")), at(kt("cruiseLimit")), radius * 0.94, radius * 0.995, "arc_green")
+    arc(mesh, y, z, x - 0.0052, at(kt("cruiseLimit")), at(kt("neverExceed")), radius * 0.94, radius * 0.995, "index")
+    tick(mesh, y, z, x - 0.0060, at(kt("neverExceed")), radius * 0.72, radius * 1.0, radius * 0.03, "red")
+
+
+def instruments(mesh, x):
+    """The faces go into the mesh of the panel; the nodes that move are the answer."""
+    top, low, big, small = 0.226, 0.110, 0.051, 0.033
+    left, middle, right = -0.365, -0.247, -0.129
+    airspeed(mesh, top, left, big, x)
+    dial(mesh, top, right, big, x, "needle_altitude", 50, range(0, 1000, 100), "FT", divide=100, high=0.30)
+    dial(mesh, low, right, big, x, "needle_climb", 250, range(-2000, 2001, 1000), "FPM", divide=100, high=0.29, name_at=-0.26)
+    dial(mesh, 0.228, 0.03, 0.044, x, "needle_rpm", 250, range(0, 3001, 1000), "RPM", name_at=-0.74, divide=100, high=0.34)
+    dial(mesh, 0.122, 0.03, 0.044, x, "needle_fuel", 20, range(0, 161, 80), "KG", high=0.32)
+    dial(mesh, 0.240, 0.118, small, x, "needle_angle", 5, range(-10, 21, 10), "AOA", name_at=-0.68, high=0.34)
+    dial(mesh, 0.164, 0.118, small, x, "needle_load", 1, range(-2, 5, 2), "G", name_at=0.30, high=0.36)
+    dial(mesh, 0.088, 0.118, small, x, "needle_flaps", 25, range(0, 101, 50), "FLAPS", high=0.34, name_at=-0.5)
+    return [hand("needle_airspeed", top, left, big, x), hand("needle_altitude_short", top, right, big, x, length=0.5, wide=0.09), hand("needle_altitude", top, right, big, x, lift=0.001),
+            hand("needle_climb", low, right, big, x), hand("needle_rpm", 0.228, 0.03, 0.044, x), hand("needle_fuel", 0.122, 0.03, 0.044, x),
+            hand("needle_angle", 0.240, 0.118, small, x), hand("needle_load", 0.164, 0.118, small, x), hand("needle_flaps", 0.088, 0.118, small, x),
+            horizon(mesh, top, middle, big, x), compass(mesh, low, middle, big, x), *turn_and_slip(mesh, low, left, big, x)]
 
 
 def plate(mesh, x, corners, material):
@@ -481,16 +628,10 @@ def cockpit():
         glare = Mesh().grid(shield, "glare", inward=True)
     mesh.extend(glare)
     mesh.quad([(x - 0.06, p[1] + 0.012 - d, p[2]) for p, d in ((outline[0], 0), (outline[0], 0.03), (outline[-1], 0.03), (outline[-1], 0))], "glare")
-    for row, y in ((0, 0.215), (1, 0.085)):
-        for k in range(3):
-            dial(mesh, y - 0.012, -0.365 + 0.118 * k, 0.051, x, needle=0.7 + 1.7 * row - 1.1 * k)
-    for k in range(2):
-        dial(mesh, 0.20 - 0.115 * k, 0.03, 0.044, x, ticks=8, needle=1.0 + k)
+    moving = instruments(mesh, x)
     for k in range(3):
-        dial(mesh, 0.225 - 0.085 * k, 0.40, 0.033, x, ticks=6, needle=-0.6 + 0.8 * k)
-    for k in range(3):
-        mesh.box((x - 0.012, 0.235 - 0.075 * k, 0.20), (0.022, 0.058, 0.19), "radio", 0.004)
-        plate(mesh, x - 0.0245, [(0.222 - 0.075 * k, 0.125), (0.222 - 0.075 * k, 0.22), (0.249 - 0.075 * k, 0.22), (0.249 - 0.075 * k, 0.125)], "radio_glow")
+        mesh.box((x - 0.012, 0.235 - 0.075 * k, 0.27), (0.022, 0.058, 0.19), "radio", 0.004)
+        plate(mesh, x - 0.0245, [(0.222 - 0.075 * k, 0.195), (0.222 - 0.075 * k, 0.29), (0.249 - 0.075 * k, 0.29), (0.249 - 0.075 * k, 0.195)], "radio_glow")
     for z, material in ((-0.02, "dark"), (0.04, "red")):
         mesh.tube([(x - 0.01, -0.07, z), (x - 0.10, -0.07, z)], 0.007, "silver", sides=8)
         mesh.lathe([(x - 0.125, 0.001), (x - 0.12, 0.02), (x - 0.10, 0.022), (x - 0.095, 0.001)], material, axis=0, sides=14, middle=(0, -0.07, z))
@@ -500,7 +641,7 @@ def cockpit():
     for side in (-1, 1):
         seat(mesh, side * 0.27)
     parcels(mesh)
-    return mesh
+    return mesh, moving
 
 
 def seat(mesh, z):
@@ -573,6 +714,10 @@ PLANE_MATERIALS = {
     "dial": dict(color=srgb(14, 14, 16), rough=0.5),
     "mark": dict(color=srgb(232, 228, 214), rough=0.8, emit=(0.10, 0.09, 0.07)),
     "needle": dict(color=srgb(250, 246, 232), rough=0.8, emit=(0.18, 0.16, 0.12)),
+    "index": dict(color=srgb(250, 168, 30), rough=0.8, emit=(0.16, 0.10, 0.01)),
+    "arc_green": dict(color=srgb(60, 170, 70), rough=0.8, emit=(0.03, 0.10, 0.03)),
+    "horizon_sky": dict(color=srgb(66, 138, 214), rough=0.8, emit=(0.02, 0.05, 0.09)),
+    "horizon_land": dict(color=srgb(122, 82, 44), rough=0.8, emit=(0.04, 0.025, 0.01)),
     "radio": dict(color=srgb(34, 34, 38), rough=0.6),
     "radio_glow": dict(color=srgb(40, 24, 8), rough=0.6, emit=(0.35, 0.16, 0.03)),
     "leather": dict(color=srgb(112, 66, 36), rough=0.65),
@@ -592,8 +737,9 @@ def plane():
     turning, disc, spinner = propeller()
     outside = Mesh().extend(skin).extend(fin_mesh)
     surfaces = Mesh().extend(wing_mesh).extend(stab).extend(struts()).extend(gear).extend(lights())
-    inside = Mesh().extend(cabin).extend(cockpit())
-    roots = [Node("exterior_fuselage", outside, children=[Node("glass", glass)]), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside),
+    seats, moving = cockpit()
+    inside = Mesh().extend(cabin).extend(seats)
+    roots = [Node("exterior_fuselage", outside, children=[Node("glass", glass)]), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside, children=moving),
              Node("pilot", pilot()), Node("yoke_left", yoke(), at=(0.58, 0.10, -0.27)), Node("yoke_right", yoke(), at=(0.58, 0.10, 0.27)),
              *wing_nodes, elevator, rudder, *wheels, turning, spinner, disc]
     writer = Writer(PLANE_MATERIALS, {"side": livery.side_png(), "wing": livery.wing_png()})

@@ -149,6 +149,26 @@ def wheels():
     save("wheels", mix((1.0, rumble), (0.25, grit), (0.6, normal(knock))), 0.82)
 
 
+def buffet():
+    """Flow that has left the wing beats on the tail: thumps of uneven strength in a low roar. 2 s."""
+    count = 2 * RATE
+    roar = normal(band(white(count, 141), 25, 140, ring=True))
+    thump = [0.0] * count
+    source = random.Random(142)
+    for k in range(22):
+        start, loud = int((k + source.uniform(-0.25, 0.25)) / 22 * count), source.uniform(0.4, 1)
+        for i in range(int(0.16 * RATE)):
+            t = i / RATE
+            thump[(start + i) % count] += loud * math.exp(-t / 0.035) * math.sin(TAU * 52 * t)
+    save("buffet", mix((0.8, roar), (1.0, normal(thump))), 0.85)
+
+
+def climb():
+    """The tone of the variometer: a soft reed, 500 cycles. 1 s."""
+    count = RATE
+    save("climb", [sum(math.sin(TAU * 500 * h * i / count) / h ** 2.2 for h in range(1, 6)) for i in range(count)], 0.6)
+
+
 def shot(seconds, at, seed=0):
     source = random.Random(seed)
     count = int(seconds * RATE)
@@ -256,7 +276,7 @@ def thunder():
 
 def main():
     os.makedirs(OUT, exist_ok=True)
-    for make in (engine, propeller, wind, rain, stall, wheels, chute, touchdown, parcel_landed, delivery, lost, crash, release, click, flaps, thunder):
+    for make in (engine, propeller, wind, rain, stall, wheels, buffet, climb, chute, touchdown, parcel_landed, delivery, lost, crash, release, click, flaps, thunder):
         make()
 
 

@@ -27,7 +27,7 @@ bool isSurroundings(Event event) { return event == Event::thunder; }
 }  // namespace
 
 char const* fileName(Loop loop) {
-    constexpr std::array<char const*, kLoops> kNames{"engine", "propeller", "wind", "rain", "stall", "wheels"};
+    constexpr std::array<char const*, kLoops> kNames{"engine", "propeller", "wind", "rain", "stall", "wheels", "buffet", "climb"};
     CHECK(index(loop) < kLoops, "loop {}", index(loop));
     return kNames[index(loop)];
 }
@@ -40,6 +40,23 @@ char const* fileName(Event event) {
     return kNames[i];
 }
 
+namespace {
+/// What an ear hears of a tone whose source goes away.
+double dopplerFactor(double recession) {
+    constexpr double kSound = 340.0;  // m/s
+    return kSound / (kSound + std::clamp(recession, -150.0, 150.0));
+}
+
+/// The tone of the climb: it rises with the lift and beats the faster the better it is; a deep steady one says sink.
+LoopMix climbTone(AudioState const& state, AudioSettings const& settings) {
+    constexpr double kQuiet = 0.3, kSink = -2.5;  // m/s
+    if (state.onGround || (state.climb < kQuiet && state.climb > kSink)) return {};
+    double const lift = std::clamp(state.climb, -8.0, 8.0);
+    bool const on = lift < 0.0 || state.climbBeat - std::floor(state.climbBeat) < 0.5;
+    return {on ? clamped(settings.master * settings.climb * 0.5, 0.0, 1.0) : 0.0f, clamped(1.0 + 0.14 * lift, 0.5, 2.2)};
+}
+}  // namespace
+
 Mix mixFrom(AudioState const& state, AudioSettings const& settings) {
     Mix mix;
     if (state.paused) return mix;
@@ -48,10 +65,11 @@ Mix mixFrom(AudioState const& state, AudioSettings const& settings) {
     double const power = settings.master * settings.engine * muffled;
     double const air = settings.master * settings.surroundings;
     if (state.rpm > 60.0) {
+        double const heard = turning * dopplerFactor(state.recession);
         double const load = state.engineRunning ? state.throttle : 0.0;
         double const firing = state.engineRunning ? 0.30 + 0.42 * load : 0.05;
-        mix[index(Loop::engine)] = {clamped(power * firing * std::min(1.0, 0.35 + 0.65 * turning), 0.0, 1.0), clamped(turning, 0.25, 2.0)};
-        mix[index(Loop::propeller)] = {clamped(power * 0.42 * turning * turning * (0.55 + 0.45 * load), 0.0, 1.0), clamped(turning, 0.25, 2.0)};
+        mix[index(Loop::engine)] = {clamped(power * firing * std::min(1.0, 0.35 + 0.65 * turning), 0.0, 1.0), clamped(heard, 0.25, 2.0)};
+        mix[index(Loop::propeller)] = {clamped(power * 0.42 * turning * turning * (0.55 + 0.45 * load), 0.0, 1.0), clamped(heard, 0.25, 2.0)};
     }
     // The pressure of the air grows with the square of its speed; a slip and rough air roar besides.
     double const slip = std::min(1.0, std::abs(state.slip) / 0.35), rough = std::min(1.0, state.turbulence / 4.0);
@@ -60,10 +78,15 @@ Mix mixFrom(AudioState const& state, AudioSettings const& settings) {
     double const wet = std::sqrt(std::clamp(state.rain / kHeavyRain, 0.0, 1.5));
     mix[index(Loop::rain)] = {clamped(air * 0.55 * wet * (0.5 + 0.5 * std::min(1.0, pace)), 0.0, 1.0), clamped(0.85 + 0.2 * pace, 0.8, 1.4)};
     mix[index(Loop::stall)] = {state.stalled && !state.onGround ? clamped(settings.master * settings.effects * 0.5, 0.0, 1.0) : 0.0f, 1.0f};
+    double const shaking = state.onGround ? 0.0 : std::min(1.0, 1.6 * state.separated) * std::min(1.0, state.airspeed / 25.0);
+    mix[index(Loop::buffet)] = {clamped(settings.master * settings.effects * muffled * 0.8 * shaking, 0.0, 1.0), clamped(0.75 + 0.4 * state.airspeed / kCruise, 0.5, 1.6)};
+    mix[index(Loop::climb)] = climbTone(state, settings);
     double const rolling = state.onGround ? std::min(1.0, state.groundSpeed / 20.0) : 0.0;
     mix[index(Loop::wheels)] = {clamped(settings.master * settings.effects * 0.7 * rolling, 0.0, 1.0), clamped(0.6 + 0.5 * state.groundSpeed / 20.0, 0.5, 2.0)};
     return mix;
 }
+
+double climbBeats(double climb) { return 1.5 + 0.6 * std::clamp(climb, 0.0, 8.0); }
 
 float eventGain(SoundEvent const& event, AudioSettings const& settings) {
     double const share = isSurroundings(event.event) ? settings.surroundings : settings.effects;
@@ -171,7 +194,7 @@ void Mixer::play(AudioState const& state, AudioSettings const& settings, double 
     Mix const mix = mixFrom(state, settings);
     glm::vec3 const away{glm::conjugate(state.worldFromListener) * (state.aircraftWorld - state.listenerWorld)};
     for (std::size_t i = 0; i < kLoops; ++i) {
-        bool const aircraft = i == index(Loop::engine) || i == index(Loop::propeller) || i == index(Loop::wheels);
+        bool const aircraft = i == index(Loop::engine) || i == index(Loop::propeller) || i == index(Loop::wheels) || i == index(Loop::buffet);
         glm::vec3 const place = aircraft ? away : glm::vec3{0.0f};
         alSource3f(impl_->loopSources[i], AL_POSITION, place.x, place.y, place.z);
         alSourcef(impl_->loopSources[i], AL_REFERENCE_DISTANCE, 25.0f);

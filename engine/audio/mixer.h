@@ -14,7 +14,7 @@
 
 namespace luftpost::audio {
 /// Loops run always; a gain of 0 pauses them. Events play once. The names are those of assets/sounds/NAME.wav.
-enum class Loop { engine, propeller, wind, rain, stall, wheels, count };
+enum class Loop { engine, propeller, wind, rain, stall, wheels, buffet, climb, count };
 enum class Event { chute, touchdown, parcel_landed, delivery, lost, crash, release, click, thunder, flaps, count };
 char const* fileName(Loop loop);
 char const* fileName(Event event);
@@ -36,7 +36,11 @@ struct AudioState {
     double slip = 0.0;           // rad, angle of the air from the side
     double turbulence = 0.0;     // m/s
     double rain = 0.0;           // kg/(m2 s), falling rate
-    bool stalled = false;
+    bool stalled = false;        // the horn
+    double separated = 0.0;      // 0..1, share of the wing whose flow has left: it buffets
+    double climb = 0.0;          // m/s, of the air and the aircraft together
+    double climbBeat = 0.0;      // beats of the climb's tone so far, at climbBeats a second
+    double recession = 0.0;      // m/s, at which the aircraft goes away from the ear: Doppler
     bool onGround = false;
     double groundSpeed = 0.0;    // m/s
     bool inside = false;         // the cockpit muffles
@@ -55,6 +59,8 @@ using Mix = std::array<LoopMix, static_cast<std::size_t>(Loop::count)>;
 
 /// Gain and pitch of each loop. Pure.
 Mix mixFrom(AudioState const& state, AudioSettings const& settings);
+/// Beats a second of the tone of a climb (m/s). Pure.
+double climbBeats(double climb);
 /// Gain of an event under the player's settings. Pure.
 float eventGain(SoundEvent const& event, AudioSettings const& settings);
 

@@ -49,6 +49,7 @@ std::optional<std::string> complaint(Setting const& setting, SettingValue const&
     }
     if (auto const* word = std::get_if<std::string>(&value); word && !setting.words.empty())
         if (std::find(setting.words.begin(), setting.words.end(), *word) == setting.words.end()) return wrong;
+    if (setting.accepts && !setting.accepts(std::get<std::string>(value))) return wrong;
     return std::nullopt;
 }
 
@@ -178,6 +179,7 @@ std::string expectedValue(Setting const& setting) {
     if (std::holds_alternative<double>(setting.initial))
         return fmt::format("{} {}..{}", setting.whole ? "a whole number" : "a number", setting.min,
                            setting.max);
+    if (!setting.expected.empty()) return std::string{setting.expected};
     if (setting.words.empty()) return "a text";
     return fmt::format("one of {}", fmt::join(setting.words, ", "));
 }

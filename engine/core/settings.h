@@ -51,6 +51,8 @@ struct Setting {
     double min = 0.0, max = 0.0;              // numbers only
     bool whole = false;                       // numbers only: no fraction
     std::span<std::string_view const> words;  // enums only
+    std::string_view expected{};              // texts that are not free: what may stand there ...
+    std::function<bool(std::string const&)> accepts{};  // ... and whether this one may
     SettingValue initial;                     // the default, as the struct declares it
     std::function<SettingValue()> get;
     std::function<void(SettingValue const&)> set;  // takes what `get` gives; the value must be in range

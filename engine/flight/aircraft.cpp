@@ -131,6 +131,7 @@ void readAir(Airframe const& airframe, AircraftState& state, core::AirSample con
         margin = std::min(margin, strip.stallAngle - strip.surfaceStall * flap - state.strips[i].alpha);
     }
     now.stalled = area > 0.0 ? left / area : 0.0;
+    now.stallMargin = margin;
     now.stallHorn = margin < kHornMargin && now.tas > 10.0;
 }
 
@@ -164,11 +165,11 @@ void judgeContact(AircraftState& state, Airframe const& airframe, GroundLoads co
         state.touchdownSpeed = ground.touchdownSpeed;
         state.touchdownTick = state.tick;
     }
-    if (ground.touchdownSpeed > airframe.touchdownLimit) {
+    if (ground.inWater) {  // however hard
+        state.crash = CrashReason::water;
+    } else if (ground.touchdownSpeed > airframe.touchdownLimit) {
         state.touchdownSpeed = ground.touchdownSpeed;
         state.crash = CrashReason::hardLanding;
-    } else if (ground.inWater) {
-        state.crash = CrashReason::water;
     } else if (strike >= 0) {
         state.crash = CrashReason::strike;
         state.struck = strike;

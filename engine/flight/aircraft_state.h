@@ -51,6 +51,7 @@ struct Readings {
     double density = 1.225, temperature = 288.15, pressure = 101325.0;
     double visibility = 1.0e5, turbulence = 0.0, icing = 0.0;  // as the air says
     double stalled = 0.0;                                      // 0..1, share of the wing whose flow has left
+    double stallMargin = 0.0;                                  // rad more until a strip of the wing stalls
     bool stallHorn = false;                                    // sounds about 5 kt before the stall
     bool onGround = false;                                     // a wheel or skid touches
 };

@@ -13,9 +13,10 @@ enum class AssistLevel { sim, light, normal, easy };
 inline constexpr std::array<std::string_view, 4> kAssistWords{"sim", "light", "normal", "easy"};
 
 /// The pilot's stick: elevator + nose up, aileron + roll right, rudder + nose right, each -1..1; throttle,
-/// flaps, brakes 0..1. Values outside are clamped, values that are not numbers count as 0.
+/// flaps, brakes 0..1; trim, + nose up and nose right, -1..1. Values outside are clamped, values that are not numbers count as 0.
 struct Controls {
     double throttle = 0.0, elevator = 0.0, aileron = 0.0, rudder = 0.0, flaps = 0.0, brakes = 0.0;
+    double elevatorTrim = 0.0, rudderTrim = 0.0;  // the wheels beside the seat; they act in sim and light
 };
 
 /// What the assist carries from tick to tick. Plain data, part of the aircraft's state.

@@ -14,6 +14,7 @@ constexpr double kNormalBankLimit = core::radians(65.0);
 constexpr double kEasyBank = core::radians(50.0);
 constexpr double kEasyClimb = core::radians(18.0);
 constexpr double kPedalLean = 0.35;
+constexpr double kTrimTravel = 0.5;  // of the stick's travel, by the trim wheel at its stop
 constexpr double kFlareHeight = 15.0;  // m; below it easy lets the aircraft be slow and land
 
 /// What all laws read, taken once.
@@ -284,9 +285,9 @@ SurfaceCommands easyCommands(Flight const& f, AssistMemory& memory) {
 
 SurfaceCommands directCommands(Flight const& f) {
     SurfaceCommands out = f.stick;
-    out.elevator = std::clamp(f.state.trim.elevator + f.stick.elevator, -1.0, 1.0);
+    out.elevator = std::clamp(f.state.trim.elevator + f.stick.elevator + kTrimTravel * f.stick.elevatorTrim, -1.0, 1.0);
     out.aileron = std::clamp(f.state.trim.aileron + f.stick.aileron, -1.0, 1.0);
-    out.rudder = std::clamp(f.state.trim.rudder + f.stick.rudder, -1.0, 1.0);
+    out.rudder = std::clamp(f.state.trim.rudder + f.stick.rudder + kTrimTravel * f.stick.rudderTrim, -1.0, 1.0);
     return out;
 }
 
@@ -307,7 +308,8 @@ Controls cleaned(Controls const& stick) {
         return value == value ? std::clamp(value, low, 1.0) : 0.0;
     };
     return {clean(stick.throttle, 0.0), clean(stick.elevator, -1.0), clean(stick.aileron, -1.0),
-            clean(stick.rudder, -1.0),  clean(stick.flaps, 0.0),     clean(stick.brakes, 0.0)};
+            clean(stick.rudder, -1.0),  clean(stick.flaps, 0.0),     clean(stick.brakes, 0.0),
+            clean(stick.elevatorTrim, -1.0), clean(stick.rudderTrim, -1.0)};
 }
 
 SurfaceCommands assistedCommands(Airframe const& airframe, AircraftState const& state, Controls const& stick,

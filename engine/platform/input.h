@@ -35,7 +35,8 @@ std::optional<Key> keyFromToken(std::string_view token);
 /// to the US name when no window is open.
 std::string keyLabel(Key key);
 
-enum class MouseButton : int { left, right, middle };
+enum class MouseButton : int { left, right, middle, back, forward };
+inline constexpr int kMouseButtons = 5;
 
 /// Gamepad axes and buttons in SDL's mapping: sticks -1..1 (right and down positive), triggers 0..1.
 enum class PadAxis : int { leftX, leftY, rightX, rightY, leftTrigger, rightTrigger };
@@ -53,6 +54,15 @@ struct Gamepad {
     std::array<bool, kPadButtons> buttons{};
     float axis(PadAxis which) const { return axes[static_cast<std::size_t>(which)]; }
     bool button(PadButton which) const { return buttons[static_cast<std::size_t>(which)]; }
+};
+
+/// A stick, throttle or pedals that nobody has mapped to a gamepad: axes -1..1 and buttons (hats are four more, in the
+/// order up, right, down, left) as the device numbers them.
+struct Joystick {
+    int id = 0;  // GLFW's slot
+    std::string name;
+    std::vector<float> axes;
+    std::vector<bool> buttons;
 };
 
 struct KeyEvent {
@@ -75,10 +85,10 @@ struct Input {
     glm::dvec2 mouseMoved{0.0};                // pixels since the last poll
     glm::dvec2 scrolled{0.0};                  // notches since the last poll, up positive
     std::array<bool, kKeys> held{};            // by key number
-    std::array<bool, 3> mouseHeld{};
+    std::array<bool, kMouseButtons> mouseHeld{};
     std::vector<Gamepad> gamepads;             // those plugged in now
+    std::vector<Joystick> joysticks;           // the other ones
     bool focused = true;
-    bool gamepadsChanged = false;              // one was plugged in or out since the last poll
 
     bool isHeld(Key key) const { return key != Key::unknown && held[static_cast<std::size_t>(key)]; }
 };

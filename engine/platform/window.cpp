@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/platform/surface.h"
@@ -13,7 +15,6 @@ namespace {
 class Library {
 public:
     Library() {
-        glfwInitHint(GLFW_JOYSTICK_HAT_BUTTONS, GLFW_FALSE);
         if (!glfwInit()) throw core::Error{"display", "GLFW", description()};
     }
     ~Library() { glfwTerminate(); }
@@ -94,7 +95,7 @@ private:
     void onKey(int key, int action, int modifiers);
     void onFocus(bool focused);
     void pollMouse();
-    void pollGamepads();
+    void pollDevices();
 
     Library library_;
     GLFWwindow* window_ = nullptr;
@@ -111,7 +112,7 @@ void WindowSurface::listen() {
         of(window).input_.text.push_back(static_cast<char32_t>(character));
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
-        if (button < 0 || button > 2) return;
+        if (button < 0 || button >= kMouseButtons) return;
         Input& input = of(window).input_;
         input.mouseButtons.push_back({static_cast<MouseButton>(button), action == GLFW_PRESS});
         input.mouseHeld[static_cast<std::size_t>(button)] = action == GLFW_PRESS;
@@ -160,26 +161,44 @@ void WindowSurface::pollMouse() {
     lastMouse_ = now;
 }
 
-void WindowSurface::pollGamepads() {
-    std::vector<Gamepad> now;
-    for (int slot = GLFW_JOYSTICK_1; slot <= GLFW_JOYSTICK_LAST; ++slot) {
-        GLFWgamepadstate state{};
-        if (!glfwJoystickIsGamepad(slot) || !glfwGetGamepadState(slot, &state)) continue;
-        Gamepad pad;
-        pad.id = slot;
-        char const* name = glfwGetGamepadName(slot);
-        pad.name = name ? name : "gamepad";
-        std::copy(std::begin(state.axes), std::end(state.axes), pad.axes.begin());
-        for (PadAxis const trigger : {PadAxis::leftTrigger, PadAxis::rightTrigger}) {
-            float& value = pad.axes[static_cast<std::size_t>(trigger)];
-            value = 0.5f * (value + 1.0f);
-        }
-        for (std::size_t i = 0; i < pad.buttons.size(); ++i) pad.buttons[i] = state.buttons[i] == GLFW_PRESS;
-        now.push_back(std::move(pad));
+/// The device in a slot in SDL's mapping; none where GLFW has no mapping for it.
+std::optional<Gamepad> gamepadIn(int slot) {
+    GLFWgamepadstate state{};
+    if (!glfwJoystickIsGamepad(slot) || !glfwGetGamepadState(slot, &state)) return std::nullopt;
+    Gamepad pad;
+    pad.id = slot;
+    char const* name = glfwGetGamepadName(slot);
+    pad.name = name ? name : "gamepad";
+    std::copy(std::begin(state.axes), std::end(state.axes), pad.axes.begin());
+    for (PadAxis const trigger : {PadAxis::leftTrigger, PadAxis::rightTrigger}) {
+        float& value = pad.axes[static_cast<std::size_t>(trigger)];
+        value = 0.5f * (value + 1.0f);
     }
-    auto const sameSlots = [](Gamepad const& a, Gamepad const& b) { return a.id == b.id && a.name == b.name; };
-    input_.gamepadsChanged = !std::ranges::equal(now, input_.gamepads, sameSlots);
-    input_.gamepads = std::move(now);
+    for (std::size_t i = 0; i < pad.buttons.size(); ++i) pad.buttons[i] = state.buttons[i] == GLFW_PRESS;
+    return pad;
+}
+
+std::optional<Joystick> joystickIn(int slot) {
+    int axes = 0, buttons = 0;
+    float const* const values = glfwGetJoystickAxes(slot, &axes);
+    unsigned char const* const pressed = glfwGetJoystickButtons(slot, &buttons);
+    if (!values || !pressed) return std::nullopt;
+    char const* const name = glfwGetJoystickName(slot);
+    Joystick stick{slot, name ? name : "joystick", {values, values + axes}, {}};
+    for (int i = 0; i < buttons; ++i) stick.buttons.push_back(pressed[i] == GLFW_PRESS);
+    return stick;
+}
+
+void WindowSurface::pollDevices() {
+    input_.gamepads.clear();
+    input_.joysticks.clear();
+    for (int slot = GLFW_JOYSTICK_1; slot <= GLFW_JOYSTICK_LAST; ++slot) {
+        if (!glfwJoystickPresent(slot)) continue;
+        if (auto pad = gamepadIn(slot))
+            input_.gamepads.push_back(std::move(*pad));
+        else if (auto stick = joystickIn(slot))
+            input_.joysticks.push_back(std::move(*stick));
+    }
 }
 
 Input const& WindowSurface::poll() {
@@ -189,7 +208,7 @@ Input const& WindowSurface::poll() {
     input_.scrolled = glm::dvec2{0.0};
     glfwPollEvents();
     pollMouse();
-    pollGamepads();
+    pollDevices();
     return input_;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/assets/image.h"
 #include "engine/core/error.h"
+#include "engine/core/frames.h"
 #include "engine/gl/context.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
@@ -61,6 +62,7 @@ void Game::frame(FrameStep const& step) {
     advance(step);
     takeEvents();
     moveCamera(step);
+    moveTrails(step);
     resolution_.note(step.wall, settings_.graphics.framesPerSecond);
     desk_.advance(step.wall, paused(), *session_);
     if (photo_) complain(photo_->follow(session_->simulation().utc()));
@@ -74,12 +76,27 @@ void Game::frame(FrameStep const& step) {
 void Game::readDevices(FrameStep const& step) {
     if (!surface_.hasWindow()) return;
     input_ = &surface_.poll();
-    reading_ = devices_.read(*input_, screen_.wantsText(), screen_.wantsPointer(), step.wall);
+    bool const listening = bindingsPage_.listening();
+    for (ui::SettingChange const& wanted : bindingsPage_.listen(*input_, settings_.bindings, screen_.wantsPointer())) change(wanted);
+    ui::Listeners const others{screen_.wantsText(), screen_.wantsPointer(), mouseHeld_};
+    reading_ = devices_.read(listening ? platform::Input{} : *input_, settings_.bindings, settings_.mouse, others, step.wall,
+                             static_cast<float>(surface_.size().y));
+    if (!listening)
+        for (std::string const& news : devices_.takeNews()) messages_.say(news, ui::MessageKind::info, session_->simulation().seconds());
     obey(reading_);
+    holdMouse();
     if (surface_.closeRequested()) quit_ = true;
     if (studio_ || replay_ || plan_.courier || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
+}
+
+/// While the mouse is the stick it has no pointer, and menus give it back.
+void Game::holdMouse() {
+    bool const hold = settings_.mouse.flight && input_->focused && !paused() && !configOpen_ && !keysOpen_;
+    if (hold == mouseHeld_) return;
+    mouseHeld_ = hold;
+    surface_.captureMouse(hold);
 }
 
 void Game::takeWeather() {
@@ -103,6 +120,7 @@ void Game::takeEvents() {
         if (parcelGone && cameras_.mode() == ui::CameraMode::parcel &&
             settings_.view.camera != ui::CameraMode::parcel)
             cameras_.select(ui::CameraMode::chase);
+        if (event.event == FlightEvent::respawned) trails_.clear();
         if (event.event == FlightEvent::respawned)
             cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                            groundHeight());
@@ -124,14 +142,38 @@ ui::GroundHeight Game::groundHeight() const {
     return [this](double east, double north) { return session_->world().ground()(east, north).height; };
 }
 
+/// Beside the middle of the runway.
+glm::dvec3 Game::towerEye() const {
+    constexpr double kBeside = 90.0, kHigh = 14.0;  // m
+    terrain::Runway const& runway = session_->world().land().runway();
+    glm::dvec2 const right{runway.directionEastNorth.y, -runway.directionEastNorth.x};
+    glm::dvec2 const at = right * kBeside;
+    return core::worldFromEastNorth(at.x, at.y, session_->world().ground()(at.x, at.y).height + kHigh);
+}
+
 void Game::moveCamera(FrameStep const& step) {
     Simulation const& simulation = session_->simulation();
     if (studio_) return studio_->move(reading_, cameraSubject(simulation, shownPose(simulation, step.share)), groundHeight(), step.wall);
     auto const parcel = shownParcel(simulation, step.share);
     cameras_.watchParcel(parcel ? parcel->positionWorld : simulation.aircraft().state().positionWorld);
+    cameras_.setTower(towerEye());
     cameras_.setFieldOfView(core::radians(settings_.graphics.fieldOfView_deg));
     cameras_.advance(cameraSubject(simulation, shownPose(simulation, step.share)), reading_.camera,
                      groundHeight(), paused() ? 0.0 : step.seconds, step.wall);
+}
+
+void Game::moveTrails(FrameStep const& step) {
+    Simulation const& simulation = session_->simulation();
+    flight::AircraftState const& aircraft = simulation.aircraft().state();
+    glm::dvec3 const& at = aircraft.positionWorld;
+    core::AirSample const air = simulation.airNow().at(at);
+    weather::Weather const weather = session_->world().field().at(at.x, -at.z, simulation.utc());
+    // In cloud the air is saturated; below, the spread closes with height from the ground's to none where lifted air condenses.
+    double const ground = session_->world().ground()(at.x, -at.z).height;
+    double const risen = std::clamp((at.y - ground) / std::max(weather.condensationLevel - ground, 1.0), 0.0, 1.0);
+    double const spread = air.visibility < 1000.0 ? 0.0 : (weather.temperature - weather.dewPoint) * (1.0 - risen);
+    trails_.advance({simulation.aircraft().airframe(), aircraft, shownPose(simulation, step.share), air, session_->world().ground(), spread},
+                    paused() ? 0.0 : step.seconds);
 }
 
 ImDrawData const* Game::drawScreen(FrameStep const& step) {
@@ -153,6 +195,7 @@ render::Snapshot Game::pictureOf(FrameStep const& step, ImDrawData const* screen
     FrameView const view{pose(), inside(), step.share, paused() ? 0.0 : step.seconds, paused() ? step.wall : step.seconds, studio_ ? studio_->utc() : simulation.utc()};
     render::Snapshot snapshot = snapshotOf(simulation, models_, settings_, view);
     if (studio_) studio_->expose(snapshot);
+    trails_.addTo(snapshot.puffs);
     snapshot.still = still;
     if (!still) snapshot.graphics.resolution = resolution_.scale(snapshot.graphics.resolution, settings_.graphics.framesPerSecond);
     snapshot.debug = debug_;
@@ -203,6 +246,7 @@ void Game::restart() {
 
 void Game::beginFlight() {
     sample_ = {};
+    trails_.clear();
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)),
                    groundHeight());
     cameras_.select(settings_.view.camera);
@@ -235,6 +279,9 @@ ui::HudState Game::hudState() {
     Simulation const& simulation = session_->simulation();
     ui::HudState hud = instruments(simulation);
     hud.visible = settings_.hud.visible;
+    hud.density = settings_.hud.density;
+    if (auto const& stick = devices_.mouseStick()) hud.mouseStick = glm::vec2{stick->roll, stick->pitch};
+    hud.respawnCap = devices_.capOf(ui::FlightKey::respawn, settings_.bindings);
     hud.paused = paused_ && !pauseOpen_ && !keysOpen_;
     hud.score =
         static_cast<int>(std::lround(run_.save.empty() ? simulation.delivery().score() : career_.score));
@@ -244,9 +291,10 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
-    if (replay_) hud.prompts = replay_->playing() ? std::vector<ui::HudPrompt>{} : devices_.replayPrompts();
-    else if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
+    if (replay_) hud.prompts = replay_->playing() ? std::vector<ui::HudPrompt>{} : devices_.replayPrompts(settings_.bindings);
+    else if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts(settings_.bindings);
     hud.camera = cameras_.pose();
+    hud.inside = cameras_.inside();
     return hud;
 }
 }  // namespace luftpost::app

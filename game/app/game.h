@@ -13,16 +13,20 @@
 #include "game/app/messages.h"
 #include "game/app/photo_box.h"
 #include "game/app/play_options.h"
+#include "game/app/response_trial.h"
 #include "game/app/player_files.h"
 #include "game/app/replay_view.h"
 #include "game/app/session.h"
 #include "game/app/snapshot_builder.h"
 #include "game/app/sound_stage.h"
 #include "game/app/studio.h"
+#include "game/app/trails.h"
 #include "game/app/weather_desk.h"
 #include "game/delivery/career.h"
 #include "game/ui/air_overlay.h"
+#include "game/ui/bindings_page.h"
 #include "game/ui/devices.h"
+#include "game/ui/menu.h"
 #include "game/ui/screen_frame.h"
 
 namespace luftpost::app {
@@ -54,8 +58,10 @@ private:
     void advance(FrameStep const& step);
     void takeEvents();
     void moveCamera(FrameStep const& step);
+    void moveTrails(FrameStep const& step);
     ImDrawData const* drawScreen(FrameStep const& step);
     void drawPages();
+    void holdMouse();
     render::Snapshot pictureOf(FrameStep const& step, ImDrawData const* screen, bool still) const;
     void drawPicture(FrameStep const& step, ImDrawData const* screen, bool still);
     void drawSaving(ImDrawData const* screen);
@@ -64,6 +70,7 @@ private:
     bool inside() const { return !studio_ && cameras_.inside(); }
     void obey(ui::DeviceReading const& reading);
     void escape();
+    void nextDensity();
     void takePicture();
     void obeyFlying(ui::DeviceReading const& reading);
     void obeyView(ui::DeviceReading const& reading);
@@ -93,6 +100,7 @@ private:
     void applyGraphics();
     ui::HudState hudState();
     ui::GroundHeight groundHeight() const;
+    glm::dvec3 towerEye() const;
 
     SessionOptions plan_;
     RunOptions run_;
@@ -106,10 +114,13 @@ private:
     GameModels models_;
     ui::ScreenFrame screen_;
     ui::Devices devices_;
+    ui::BindingsPage bindingsPage_;
+    std::optional<ResponseTrial> response_;  // while the config menu is open
     platform::Input const* input_ = nullptr;  // none without a window
     ui::DeviceReading reading_;
     ui::InputSample sample_;
     ui::Cameras cameras_;
+    Trails trails_;
     std::optional<SoundStage> sounds_;  // with a window
     Messages messages_;
     WeatherDesk desk_;
@@ -124,6 +135,7 @@ private:
     bool weatherPage_ = false;  // the config menu opens there
     bool paused_ = false;
     bool quit_ = false;
+    bool mouseHeld_ = false;  // the pointer is hidden: the mouse is the stick
     double sinceChange_ = 0.0;  // s of the player's time
 };
 }  // namespace luftpost::app

@@ -55,6 +55,9 @@ void Game::obeyView(ui::DeviceReading const& reading) {
     using ui::Command;
     if (reading.pressed(Command::camera))
         cameras_.next(session_->simulation().delivery().parcel().has_value());
+    if (reading.mode) cameras_.select(*reading.mode);
+    if (reading.pressed(Command::hudDensity)) nextDensity();
+    if (reading.pressed(Command::mouseFlight)) change({"controls.mouseFlight", !settings_.mouse.flight});
     if (reading.pressed(Command::config)) configOpen_ = !configOpen_;
     if (reading.pressed(Command::normals)) debug_.normals = !debug_.normals;
     if (reading.pressed(Command::wireframe)) debug_.wireframe = !debug_.wireframe;
@@ -90,6 +93,11 @@ void Game::jumped() {
     if (mode == ui::CameraMode::free) return;
     cameras_.reset(cameraSubject(session_->simulation(), shownPose(session_->simulation(), 1.0)), groundHeight());
     if (mode == ui::CameraMode::cockpit) cameras_.select(mode);
+}
+
+void Game::nextDensity() {
+    auto const next = (static_cast<std::size_t>(settings_.hud.density) + 1) % ui::kDensityWords.size();
+    change({"hud.density", std::string{ui::kDensityWords[next]}});
 }
 
 /// Closes the topmost page, else opens the pause menu.
@@ -150,9 +158,18 @@ void Game::saveStudioPicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
+    if (configOpen_) {
+        constexpr int kTrialTicks = 480;  // a frame: some three milliseconds
+        if (!response_) response_.emplace(session_->simulation().aircraft().airframe());
+        response_->follow(settings_.flight.pilot, settings_.flight.assist, kTrialTicks);
+        ui::MenuWeather const weather = menuWeather();
+        answerConfig(ui::drawConfigMenu(list_, {weather, settings_.bindings, bindingsPage_, input_, std::exchange(weatherPage_, false), &response_->curves()}));
+    } else {
+        response_.reset();
+        bindingsPage_.giveUp();
+    }
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
-    if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
+    if (keysOpen_ && ui::drawKeysPage(ui::keyHelp(settings_.bindings))) keysOpen_ = false;
 }
 
 void Game::answerConfig(ui::ConfigAnswer const& answer) {
@@ -191,6 +208,7 @@ void Game::change(ui::SettingChange const& wanted) {
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
+    if (wanted.key == "view.camera") cameras_.select(settings_.view.camera);
     applyGraphics();
     followWeatherSettings();
     stored_.change(wanted.key, wanted.value);

@@ -24,6 +24,7 @@ void Messages::sayEvent(FlightEventAt const& event, double seconds) {
             return say("In the air again, with the same job", MessageKind::info, seconds);
         case FlightEvent::touchdown:
             return say(event.text, MessageKind::info, seconds);
+        case FlightEvent::landed:  // shown by the HUD as a whole
         case FlightEvent::chuteOpened:
             return;
     }

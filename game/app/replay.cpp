@@ -55,7 +55,11 @@ Json planJson(FlightPlan const& plan) {
 Json sampleJson(ui::InputSample const& sample) {
     Json json{{"keys", sample.keys}};
     ui::PadAxes const& pad = sample.pad;
-    if (pad != ui::PadAxes{}) json["pad"] = {pad.roll, pad.pitch, pad.yaw, pad.thrust, pad.brakes};
+    if (pad.roll != 0.0f || pad.pitch != 0.0f || pad.yaw != 0.0f || pad.thrust != 0.0f || pad.brakes != 0.0f)
+        json["pad"] = {pad.roll, pad.pitch, pad.yaw, pad.thrust, pad.brakes};
+    if (pad.lever) json["lever"] = *pad.lever;
+    if (pad.flaps) json["flaps"] = *pad.flaps;
+    if (sample.mouse) json["mouse"] = {sample.mouse->roll, sample.mouse->pitch};
     if (!sample.direct) return json;
     ui::DirectStick const& stick = *sample.direct;
     json["stick"] = {stick.throttle ? Json(*stick.throttle) : Json(nullptr),
@@ -151,7 +155,15 @@ ui::InputSample sampleFrom(Part const& part) {
     if (part.has("pad")) {
         Part const axes = part["pad"].list(5);
         auto const axis = [&](std::size_t i) { return static_cast<float>(axes.at(i).number(-2.0, 2.0)); };
-        sample.pad = {axis(0), axis(1), axis(2), axis(3), axis(4)};
+        sample.pad = {axis(0), axis(1), axis(2), axis(3), axis(4), {}, {}};
+    }
+    auto const lever = [&](char const* key) { return static_cast<float>(part[key].number(0.0, 1.0)); };
+    if (part.has("lever")) sample.pad.lever = lever("lever");
+    if (part.has("flaps")) sample.pad.flaps = lever("flaps");
+    if (part.has("mouse")) {
+        Part const mouse = part["mouse"].list(2);
+        auto const axis = [&](std::size_t i) { return static_cast<float>(mouse.at(i).number(-1.0, 1.0)); };
+        sample.mouse = ui::MouseStick{axis(0), axis(1)};
     }
     if (part.has("stick")) {
         Part const stick = part["stick"].list(6);

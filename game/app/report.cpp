@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/frames.h"
+
 namespace luftpost::app {
 namespace {
 using Json = nlohmann::ordered_json;
@@ -24,6 +26,23 @@ Json dropJson(delivery::Drop const& drop) {
     json["landing"] = {
         {"t_s", *drop.landingTime}, {"east_m", drop.landingWorld.x}, {"north_m", -drop.landingWorld.z}};
     json["distance_m"] = drop.distance;
+    return json;
+}
+
+Json landingJson(Landing const& landing) {
+    Json json{{"t_s", landing.t},
+              {"east_m", landing.placeWorld.x},
+              {"north_m", -landing.placeWorld.z},
+              {"touchdown_mps", landing.touchdownSpeed},
+              {"ias_mps", landing.speed},
+              {"load_factor", landing.loadFactor},
+              {"drift_mps", landing.drift},
+              {"bank_deg", core::degrees(landing.bank)},
+              {"pitch_deg", core::degrees(landing.pitch)},
+              {"bounces", landing.bounces},
+              {"touch_and_go", landing.touchAndGo},
+              {"aim", nullptr}};
+    if (landing.aim) json["aim"] = {{"beyond_m", landing.aim->beyond}, {"off_line_m", landing.aim->offLine}};
     return json;
 }
 
@@ -57,6 +76,7 @@ std::string reportText(FlightReport const& report) {
               {"score", report.score},
               {"crashes", report.crashes},
               {"drops", Json::array()},
+              {"landings", Json::array()},
               {"state_hash", report.stateHashes},
               {"frames", report.frame_ms.size()},
               {"gl_errors", report.glErrors},
@@ -69,6 +89,7 @@ std::string reportText(FlightReport const& report) {
               {"memory", {{"rss_mb", report.rss_mb}, {"gpu_mb", report.gpu_mb}}},
               {"changed", Json::object()}};
     for (delivery::Drop const& drop : report.drops) json["drops"].push_back(dropJson(drop));
+    for (Landing const& landing : report.landings) json["landings"].push_back(landingJson(landing));
     for (auto const& [key, value] : report.changed) json["changed"][key] = valueJson(value);
     return json.dump(2) + "\n";
 }

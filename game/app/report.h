@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/settings.h"
+#include "game/app/landing.h"
 #include "game/delivery/delivery.h"
 
 namespace luftpost::app {
@@ -17,6 +18,7 @@ struct FlightReport {
     int deliveries = 0, crashes = 0;
     double score = 0.0;
     std::vector<delivery::Drop> drops;
+    std::vector<Landing> landings;
     std::vector<std::string> stateHashes;
     std::size_t glErrors = 0;
     ChunkFigures chunks;

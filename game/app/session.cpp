@@ -113,6 +113,7 @@ FlightReport Session::report() const {
     report.score = delivery.score();
     report.crashes = simulation_.crashes();
     report.drops = delivery.drops();
+    report.landings = simulation_.landings();
     report.stateHashes = hashes_;
     return report;
 }

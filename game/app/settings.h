@@ -8,6 +8,7 @@
 #include "game/app/flight_settings.h"
 #include "game/app/view_settings.h"
 #include "game/app/weather_settings.h"
+#include "game/ui/bindings.h"
 #include "game/ui/hud_settings.h"
 
 namespace luftpost::app {
@@ -18,6 +19,8 @@ struct Settings {
     ui::HudSettings hud;
     audio::AudioSettings audio;
     WeatherSettings weather;
+    ui::MouseSettings mouse;
+    ui::Bindings bindings;
 };
 
 /// The list over `settings`, in the order of the config menu's pages. Valid as long as `settings` stays where

@@ -50,7 +50,7 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
       payload_{options.payload},
       fuel_{options.fuel} {
     startFlight(options);
-    stick_.setThrottle(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
+    stick_.begin(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
     before_ = aircraft_.state();
 }
 
@@ -117,6 +117,10 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
     if (now.touchdownTick != before_.touchdownTick && now.touchdownTick >= 0)
         note(FlightEvent::touchdown, now.positionWorld,
              fmt::format("Touchdown at {:.1f} m/s", now.touchdownSpeed));
+    if (auto const landing = landingWatch_.step(now, world_.land().runway(), seconds())) {
+        landings_.push_back(*landing);
+        note(FlightEvent::landed, now.positionWorld);
+    }
 }
 
 void Simulation::releaseParcel() {
@@ -150,8 +154,9 @@ void Simulation::respawn() {
     core::AirFunction const air = airAtAnyTime();
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
-    stick_.setThrottle(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
+    stick_.begin(std::min(aircraft_.state().trim.throttle / settings_.assist.maxThrottle, 1.0));
     before_ = aircraft_.state();
+    landingWatch_.forget();
     note(FlightEvent::respawned, aircraft_.state().positionWorld);
 }
 
@@ -166,7 +171,7 @@ core::AirFunction Simulation::airAtAnyTime() const {
 }
 
 Simulation::Moment Simulation::moment() const {
-    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, world_.held()};
+    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, landingWatch_, landings_, world_.held()};
 }
 
 void Simulation::goTo(Moment const& moment) {
@@ -181,6 +186,8 @@ void Simulation::goTo(Moment const& moment) {
     clockUtc_ = moment.clockUtc;
     clockRate_ = moment.clockRate;
     crashed_ = moment.crashed;
+    landingWatch_ = moment.landingWatch;
+    landings_ = moment.landings;
     world_.takeBack(moment.weather);
     events_.clear();
 }

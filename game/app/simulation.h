@@ -7,6 +7,7 @@
 #include "engine/flight/aircraft.h"
 #include "game/app/flight_settings.h"
 #include "game/app/inputs.h"
+#include "game/app/landing.h"
 #include "game/app/world.h"
 #include "game/delivery/delivery.h"
 #include "game/ui/input.h"
@@ -29,7 +30,7 @@ struct SimulationOptions {
 };
 
 /// What a tick brought about, for messages and sounds.
-enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown };
+enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown, landed };
 struct FlightEventAt {
     FlightEvent event = FlightEvent::released;
     glm::dvec3 positionWorld{0.0};
@@ -73,6 +74,7 @@ public:
     };
     std::vector<Crash> const& crashed() const { return crashed_; }
     int crashes() const { return static_cast<int>(crashed_.size()); }
+    std::vector<Landing> const& landings() const { return landings_; }
 
     /// All that the flight goes on from, bit for bit.
     struct Moment {
@@ -85,6 +87,8 @@ public:
         core::UtcSeconds clockUtc = 0.0;
         double clockRate = 1.0;
         std::vector<Crash> crashed;
+        LandingWatch landingWatch;
+        std::vector<Landing> landings;
         World::Held weather;
     };
     Moment moment() const;
@@ -119,6 +123,8 @@ private:
     double clockRate_ = 1.0;           // ... so many times as fast
     double payload_ = 0.0, fuel_ = 0.0;  // kg, of the start
     std::vector<Crash> crashed_;
+    LandingWatch landingWatch_;
+    std::vector<Landing> landings_;
     std::vector<FlightEventAt> events_;
 };
 }  // namespace luftpost::app

@@ -1,6 +1,8 @@
 #include "game/app/snapshot_builder.h"
 
 #include "engine/render/quality.h"
+#include "game/app/instruments.h"
+#include "game/app/panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +88,8 @@ render::ModelInstance planeInstance(Simulation const& simulation, GameModels con
     plane.castsShadow = true;
     plane.poses = planePoses(airframe, state, pose, view.inside);
     addWheels(airframe, state, pose, plane.poses);
+    std::vector<render::NodePose> const panel = panelPoses(instruments(simulation));
+    plane.poses.insert(plane.poses.end(), panel.begin(), panel.end());
     return plane;
 }
 

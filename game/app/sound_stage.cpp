@@ -1,8 +1,10 @@
 #include "game/app/sound_stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/assets/sound.h"
 #include "engine/platform/paths.h"
@@ -51,6 +53,7 @@ void SoundStage::note(FlightEventAt const& event) {
             return add(Event::crash, true);
         case FlightEvent::touchdown:
             return add(Event::touchdown, true);
+        case FlightEvent::landed:
         case FlightEvent::respawned:
             return;
     }
@@ -72,6 +75,15 @@ void SoundStage::noteThunder(Simulation const& simulation, weather::Weather cons
         events_.push_back(sound(audio::Event::thunder, flash.toGround ? 0.5 * (flash.sourceWorld + flash.groundWorld) : flash.sourceWorld, false));
 }
 
+/// How fast the aircraft goes away from the ear; nothing where the camera jumped.
+double SoundStage::recession(double distance, double passed) {
+    constexpr double kFastest = 200.0, kLag = 0.1;  // m/s, s
+    double const moved = distance - std::exchange(distance_, distance);
+    if (!(passed > 0.0)) return recession_;
+    double const now = std::abs(moved) < kFastest * passed ? moved / passed : 0.0;
+    return recession_ += (now - recession_) * std::min(passed / kLag, 1.0);
+}
+
 void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera, bool inside, bool paused,
                       audio::AudioSettings const& settings, double wallSeconds) {
     constexpr double kSecondsPerHour = 3600.0;
@@ -91,6 +103,11 @@ void SoundStage::play(Simulation const& simulation, ui::CameraPose const& camera
     noteFlaps(simulation.stick().controls().flaps);
     if (!paused) noteThunder(simulation, weather, eye);
     state.stalled = readings.stallHorn;
+    state.separated = readings.stalled;
+    double const passed = std::max(simulation.seconds() - std::exchange(since_, simulation.seconds()), 0.0);
+    state.climb = readings.climb;
+    state.climbBeat = climbBeat_ += passed * audio::climbBeats(readings.climb);
+    state.recession = recession(glm::length(aircraft.positionWorld - eye), passed);
     state.onGround = readings.onGround;
     state.groundSpeed = readings.groundSpeed;
     state.inside = inside;

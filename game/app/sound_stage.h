@@ -21,7 +21,13 @@ private:
     void noteFlaps(double flaps);
     void noteThunder(Simulation const& simulation, weather::Weather const& weather, glm::dvec3 const& eyeWorld);
 
+    double recession(double distance, double passed);
+
     audio::Mixer mixer_;
+    double distance_ = 0.0;       // m, from ear to aircraft in the latest frame
+    double since_ = 0.0;          // s of flight then
+    double recession_ = 0.0;      // m/s, smoothed
+    double climbBeat_ = 0.0;      // beats of the climb's tone
     double flaps_ = 0.0;          // of the latest frame
     core::UtcSeconds heardUntil_ = 0.0;  // thunder that came until then has been played
     std::vector<audio::SoundEvent> events_;

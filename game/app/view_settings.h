@@ -7,7 +7,7 @@
 #include "game/ui/camera.h"
 
 namespace luftpost::app {
-inline constexpr std::array<std::string_view, 4> kCameraWords{"chase", "cockpit", "free", "parcel"};
+inline constexpr std::array<std::string_view, 7> kCameraWords{"chase", "cockpit", "wing", "hatch", "tower", "free", "parcel"};
 
 struct ViewSettings {
     ui::CameraMode camera = ui::CameraMode::chase;

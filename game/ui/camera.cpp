@@ -13,6 +13,14 @@ constexpr double kChaseSeconds = 0.28;  // the lag with which it follows a turn
 constexpr double kAheadSeconds = 0.9;   // it looks at where the aircraft will be, a little over the nose
 constexpr double kCruise = 55.0;        // m/s: the breath's unit
 
+/// A camera that is screwed to the aircraft. Body frame of assets/models/plane.glb.
+struct Mount {
+    glm::dvec3 eyeBody{0.0}, aimBody{0.0};
+    double widening = 1.0;  // of the field of view
+};
+constexpr Mount kWingMount{{-1.6, 1.5, 5.4}, {1.4, 0.2, 0.0}, 1.1};
+constexpr Mount kHatchMount{{-0.4, -0.95, 0.0}, {2.0, -3.2, 0.0}, 1.0};
+
 double follow(double seconds, double lag) { return 1.0 - std::exp(-seconds / lag); }
 
 /// The frame that looks along `ahead` (any length), its top as near to `up` as can be.
@@ -43,11 +51,9 @@ glm::dvec3 chaseOffset(CameraSubject const& subject, double distance) {
 }  // namespace
 
 void Cameras::next(bool parcelFalls) {
-    CameraMode const afterFree = parcelFalls ? CameraMode::parcel : CameraMode::chase;
-    select(mode_ == CameraMode::chase     ? CameraMode::cockpit
-           : mode_ == CameraMode::cockpit ? CameraMode::free
-           : mode_ == CameraMode::free    ? afterFree
-                                          : CameraMode::chase);
+    int const last = static_cast<int>(parcelFalls ? CameraMode::parcel : CameraMode::free);
+    int const next = static_cast<int>(mode_) + 1;
+    select(static_cast<CameraMode>(next > last ? 0 : next));
 }
 
 void Cameras::select(CameraMode mode) {
@@ -58,6 +64,8 @@ void Cameras::select(CameraMode mode) {
     }
     mode_ = mode;
     around_ = glm::dvec2{0.0};
+    closer_ = 1.0;
+    watchPost_.reset();
 }
 
 void Cameras::reset(CameraSubject const& subject, GroundHeight const& ground) {
@@ -65,6 +73,7 @@ void Cameras::reset(CameraSubject const& subject, GroundHeight const& ground) {
     head_ = 0.0;
     around_ = glm::dvec2{0.0};
     offsetWorld_ = chaseOffset(subject, distance_);
+    watchPost_.reset();
     if (mode_ == CameraMode::free || mode_ == CameraMode::parcel) mode_ = CameraMode::chase;
     advance(subject, {}, ground, 0.0, 0.0);
 }
@@ -74,6 +83,9 @@ void Cameras::advance(CameraSubject const& subject, CameraInput const& input, Gr
     switch (mode_) {
         case CameraMode::chase: advanceChase(subject, input, seconds); break;
         case CameraMode::cockpit: advanceCockpit(subject, input, seconds); break;
+        case CameraMode::wing:
+        case CameraMode::hatch: advanceMounted(subject, input, seconds); break;
+        case CameraMode::tower: advanceTower(subject, input, ground); break;
         case CameraMode::free: advanceFree(input, wallSeconds); break;
         case CameraMode::parcel: advanceParcel(subject, seconds); break;
     }
@@ -84,10 +96,12 @@ void Cameras::advanceChase(CameraSubject const& subject, CameraInput const& inpu
     distance_ = std::clamp(distance_ * std::exp(-0.12 * input.zoom), 0.6, 6.0);
     around_ = {around_.x + input.look.x, std::clamp(around_.y + input.look.y, -1.2, 1.2)};
     breath_ += (glm::length(subject.velocityWorld) - breath_) * follow(seconds, 0.8);
+    head_ += (std::clamp(subject.loadFactor - 1.0, -1.5, 3.0) - head_) * follow(seconds, 0.5);
     offsetWorld_ += (chaseOffset(subject, distance_) - offsetWorld_) * follow(seconds, kChaseSeconds);
-    // Faster is farther and wider, so that speed is seen; the way to the aircraft keeps its length in turns.
+    // Faster is farther and wider, so that speed is seen, and a pull draws it nearer; the way to the aircraft keeps its length
+    // in turns.
     double const pace = std::clamp(breath_ / kCruise, 0.0, 2.0);
-    double const reach = distance_ * std::hypot(kChaseBack, kChaseUp) * (0.86 + 0.16 * pace);
+    double const reach = distance_ * std::hypot(kChaseBack, kChaseUp) * (0.86 + 0.16 * pace - 0.035 * head_);
     glm::dquat const turned = glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0});
     glm::dvec3 offset = turned * (reach * glm::normalize(offsetWorld_));
     glm::dvec3 const side = glm::normalize(glm::cross(glm::dvec3{0.0, 1.0, 0.0}, offset));
@@ -102,18 +116,61 @@ void Cameras::advanceChase(CameraSubject const& subject, CameraInput const& inpu
     pose_.near = 0.5;
 }
 
+/// Lenses narrow where the wheel would bring a camera that cannot move nearer.
+void Cameras::comeNearer(double notches, double widest) { closer_ = std::clamp(closer_ * std::exp(-0.12 * notches), 0.3, widest); }
+
 void Cameras::advanceCockpit(CameraSubject const& subject, CameraInput const& input, double seconds) {
+    comeNearer(input.zoom, 1.2);
     around_ = {std::clamp(around_.x + input.look.x, -2.6, 2.6), std::clamp(around_.y + input.look.y, -1.2, 1.2)};
     // The head gives way to the load and comes back.
     head_ += (std::clamp(subject.loadFactor - 1.0, -2.0, 3.0) - head_) * follow(seconds, 0.25);
     glm::dvec3 const eye = kPilotEyeBody - glm::dvec3{0.0, 0.012 * head_, 0.0};
     pose_.positionWorld = subject.positionWorld + subject.worldFromBody * eye;
     glm::dquat const bodyFromAhead =
-        lookingAlong(glm::dvec3{1.0, -0.05, 0.0}, glm::dvec3{0.0, 1.0, 0.0});  // a little down, over the nose
+        lookingAlong(glm::dvec3{1.0, -0.17, 0.0}, glm::dvec3{0.0, 1.0, 0.0});  // a little down: the panel and what lies over it
     pose_.worldFromCamera = glm::normalize(subject.worldFromBody * glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) *
                                            bodyFromAhead * glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
-    pose_.horizontalFov = std::min(2.0, fieldOfView_ * 1.08);
+    pose_.horizontalFov = std::min(2.0, fieldOfView_ * 1.08 * closer_);
     pose_.near = 0.08;
+}
+
+void Cameras::advanceMounted(CameraSubject const& subject, CameraInput const& input, double seconds) {
+    Mount const& mount = mode_ == CameraMode::wing ? kWingMount : kHatchMount;
+    comeNearer(input.zoom, 1.2);
+    around_ = {std::clamp(around_.x + input.look.x, -2.6, 2.6), std::clamp(around_.y + input.look.y, -1.2, 1.2)};
+    head_ += (std::clamp(subject.loadFactor - 1.0, -2.0, 3.0) - head_) * follow(seconds, 0.15);
+    pose_.positionWorld = subject.positionWorld + subject.worldFromBody * mount.eyeBody;
+    glm::dquat const bodyFromAhead = lookingAlong(mount.aimBody - mount.eyeBody, glm::dvec3{0.0, 1.0, 0.0});
+    pose_.worldFromCamera = glm::normalize(subject.worldFromBody * glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) * bodyFromAhead *
+                                           glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
+    pose_.horizontalFov = std::min(2.0, fieldOfView_ * mount.widening * closer_);
+    pose_.near = 0.08;
+}
+
+/// From the airfield's tower as far as one sees the aircraft from there; farther away from a place beside its way, and from the next
+/// one when it has gone by.
+void Cameras::advanceTower(CameraSubject const& subject, CameraInput const& input, GroundHeight const& ground) {
+    constexpr double kSight = 4000.0, kPast = 450.0, kAhead = 330.0, kAside = 45.0, kEye = 6.0;  // m
+    around_ = {around_.x + input.look.x, std::clamp(around_.y + input.look.y, -1.2, 1.2)};
+    comeNearer(input.zoom, 4.0);
+    pose_.positionWorld = towerWorld_;
+    if (glm::distance(towerWorld_, subject.positionWorld) > kSight) {
+        if (!watchPost_ || glm::distance(*watchPost_, subject.positionWorld) > kPast) {
+            glm::dvec3 const ahead = levelAhead(subject);
+            glm::dvec3 post = subject.positionWorld + kAhead * ahead + kAside * glm::cross(ahead, glm::dvec3{0.0, 1.0, 0.0});
+            post.y = std::max(ground(post.x, -post.z) + kEye, subject.positionWorld.y + 6.0 * subject.velocityWorld.y - 25.0);
+            watchPost_ = post;
+        }
+        pose_.positionWorld = *watchPost_;
+    }
+    keepAboveGround(ground);  // before it aims
+    glm::dvec3 const away = subject.positionWorld - pose_.positionWorld;
+    pose_.worldFromCamera = glm::normalize(glm::angleAxis(-around_.x, glm::dvec3{0.0, 1.0, 0.0}) * lookingAlong(away, glm::dvec3{0.0, 1.0, 0.0}) *
+                                           glm::angleAxis(around_.y, glm::dvec3{1.0, 0.0, 0.0}));
+    // Binoculars: the aircraft is about an eighth of the picture's width, as far as they magnify.
+    double const wanted = 2.0 * std::atan(45.0 / std::max(glm::length(away), 1.0)) * closer_;
+    pose_.horizontalFov = std::clamp(wanted, 0.09, fieldOfView_);
+    pose_.near = 0.5;
 }
 
 void Cameras::advanceFree(CameraInput const& input, double seconds) {
@@ -144,7 +201,8 @@ void Cameras::advanceParcel(CameraSubject const& subject, double seconds) {
 }
 
 void Cameras::keepAboveGround(GroundHeight const& ground) {
-    if (mode_ == CameraMode::cockpit) return;  // the aircraft itself stands on the ground
+    if (mode_ == CameraMode::cockpit || mode_ == CameraMode::wing || mode_ == CameraMode::hatch)
+        return;  // the aircraft itself stands on the ground
     double const lowest = ground(pose_.positionWorld.x, -pose_.positionWorld.z) + kCameraClearance;
     pose_.positionWorld.y = std::max(pose_.positionWorld.y, lowest);
 }

@@ -1,179 +1,235 @@
 #include "game/ui/devices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace luftpost::ui {
 namespace {
+using platform::Input;
 using platform::Key;
-using platform::PadAxis;
-using platform::PadButton;
 
-struct FlightBinding {
-    Key key;
-    FlightKey action;
-};
-constexpr FlightBinding kFlightKeys[]{
-    {Key::w, FlightKey::thrustUp},  {Key::s, FlightKey::thrustDown},  {Key::a, FlightKey::rollLeft},
-    {Key::d, FlightKey::rollRight}, {Key::left, FlightKey::rollLeft}, {Key::right, FlightKey::rollRight},
-    {Key::up, FlightKey::noseDown}, {Key::down, FlightKey::noseUp},   {Key::q, FlightKey::yawLeft},
-    {Key::e, FlightKey::yawRight},  {Key::b, FlightKey::brakes},      {Key::space, FlightKey::drop},
-    {Key::r, FlightKey::respawn}};
-
-struct PadBinding {
-    PadButton button;
-    FlightKey action;
-};
-constexpr PadBinding kFlightButtons[]{
-    {PadButton::south, FlightKey::drop},         {PadButton::east, FlightKey::brakes},
-    {PadButton::west, FlightKey::flapsDown},     {PadButton::north, FlightKey::flapsUp},
-    {PadButton::leftBumper, FlightKey::yawLeft}, {PadButton::rightBumper, FlightKey::yawRight},
-    {PadButton::leftThumb, FlightKey::respawn}};
-
-struct CommandBinding {
-    Key key;
-    Command command;
-};
-constexpr CommandBinding kCommandKeys[]{
-    {Key::c, Command::camera},    {Key::p, Command::pause},      {Key::f1, Command::config},
-    {Key::f2, Command::normals},  {Key::f3, Command::wireframe}, {Key::f11, Command::fullScreen},
-    {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::f4, Command::weather},
-    {Key::f5, Command::photo},    {Key::f6, Command::studio},     {Key::v, Command::air},
-    {Key::escape, Command::escape}};
-/// These work while a text box has the focus, too.
-bool isFunctionKey(Key key) { return key == Key::escape || (key >= Key::f1 && key <= Key::f12); }
-
-void press(DeviceReading& reading, Command command) {
-    reading.commands |= 1u << static_cast<unsigned>(command);
+bool isFunctionKey(Trigger const& trigger) {
+    auto const key = static_cast<Key>(trigger.code);
+    return key == Key::escape || (key >= Key::f1 && key <= Key::f12);
 }
 
-/// Held, or tapped between this frame and the last: no frame is so slow that it loses a drop.
-bool isDown(platform::Input const& input, Key key) {
-    auto const tapped = [key](platform::KeyEvent const& event) { return event.key == key && event.pressed; };
-    return input.isHeld(key) || std::any_of(input.keys.begin(), input.keys.end(), tapped);
+/// Whoever writes or points in a menu does not fly with the same keys and buttons.
+bool isTakenElsewhere(Trigger const& trigger, Listeners const& others) {
+    bool const mouse = trigger.kind == Trigger::Kind::mouse || trigger.kind == Trigger::Kind::wheel;
+    return (others.text && trigger.kind == Trigger::Kind::key && !isFunctionKey(trigger)) ||
+           (others.pointer && mouse);
 }
 
-void readFlightKeys(platform::Input const& input, InputSample& sample) {
-    for (FlightBinding const& binding : kFlightKeys)
-        if (isDown(input, binding.key)) sample.hold(binding.action);
-    bool const shift = isDown(input, Key::leftShift) || isDown(input, Key::rightShift);
-    if (isDown(input, Key::f)) sample.hold(shift ? FlightKey::flapsUp : FlightKey::flapsDown);
+/// A key with Shift held is not the plain key where both are bound: Shift+F raises the flaps and does not
+/// lower them.
+bool isMeantOtherwise(Trigger const& plain, Bindings const& bindings, Input const& input) {
+    if (plain.kind != Trigger::Kind::key || plain.shift || plain.control || plain.alt) return false;
+    auto const chordIsDown = [&](Trigger const& t) {
+        return t.kind == Trigger::Kind::key && t.code == plain.code && t != plain && isDown(t, input);
+    };
+    return std::any_of(bindings.actions.begin(), bindings.actions.end(), [&](Triggers const& triggers) {
+        return std::any_of(triggers.begin(), triggers.end(), chordIsDown);
+    });
 }
 
-void readCommands(platform::Input const& input, bool wantsText, DeviceReading& reading) {
-    for (platform::KeyEvent const& event : input.keys) {
-        if (!event.pressed || event.repeat || (wantsText && !isFunctionKey(event.key))) continue;
-        for (CommandBinding const& binding : kCommandKeys)
-            if (binding.key == event.key) press(reading, binding.command);
+/// A hand's way on several devices adds up.
+float axisSum(Triggers const& triggers, Input const& input) {
+    float sum = 0.0f;
+    for (Trigger const& trigger : triggers) sum += axisValue(trigger, input);
+    return std::clamp(sum, -1.0f, 1.0f);
+}
+
+std::optional<float> leverOf(Triggers const& triggers, Input const& input) {
+    for (Trigger const& trigger : triggers)
+        if (auto const value = leverValue(trigger, input)) return value;
+    return std::nullopt;
+}
+
+/// Tells a lever's move, not its tremble.
+void follow(std::optional<float>& told, std::optional<float> now) {
+    constexpr float kTremble = 0.01f;
+    if (!told || !now || std::abs(*now - *told) > kTremble) told = now;
+}
+
+void moveCamera(CameraKey key, Input const& input, CameraInput& camera) {
+    switch (key) {
+        case CameraKey::left:
+            camera.move.x -= 1.0;
+            break;
+        case CameraKey::right:
+            camera.move.x += 1.0;
+            break;
+        case CameraKey::down:
+            camera.move.y -= 1.0;
+            break;
+        case CameraKey::up:
+            camera.move.y += 1.0;
+            break;
+        case CameraKey::ahead:
+            camera.move.z -= 1.0;
+            break;
+        case CameraKey::back:
+            camera.move.z += 1.0;
+            break;
+        case CameraKey::fast:
+            camera.fast = true;
+            break;
+        case CameraKey::look:
+            camera.looking = true;
+            break;
+        case CameraKey::nearer:
+            camera.zoom += std::max(std::abs(input.scrolled.y), 0.25);
+            break;
+        case CameraKey::farther:
+            camera.zoom -= std::max(std::abs(input.scrolled.y), 0.25);
+            break;
     }
 }
 
-/// The free camera moves with I J K L U O; the right button looks around; the wheel comes nearer.
-void readCamera(platform::Input const& input, bool wantsText, bool wantsPointer, CameraInput& camera) {
-    constexpr double kRadiansPerPixel = 0.004;
-    auto const pair = [&](Key less, Key more) {
-        return (input.isHeld(more) ? 1.0 : 0.0) - (input.isHeld(less) ? 1.0 : 0.0);
-    };
-    if (!wantsText) camera.move = {pair(Key::j, Key::l), pair(Key::u, Key::o), pair(Key::i, Key::k)};
-    camera.fast = input.isHeld(Key::leftShift);
-    if (wantsPointer) return;
-    if (input.mouseHeld[static_cast<std::size_t>(platform::MouseButton::right)])
-        camera.look = glm::dvec2{input.mouseMoved.x, -input.mouseMoved.y} * kRadiansPerPixel;
-    camera.zoom = input.scrolled.y;
+std::vector<std::string> deviceNames(Input const& input) {
+    std::vector<std::string> names;
+    for (platform::Gamepad const& pad : input.gamepads) names.push_back(pad.name);
+    for (platform::Joystick const& stick : input.joysticks) names.push_back(stick.name);
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
-void larger(float& value, float other) {
-    if (std::abs(other) > std::abs(value)) value = other;
+std::string firstLabel(Triggers const& triggers, bool onPad) {
+    for (Trigger const& trigger : triggers)
+        if (isOnPad(trigger) == onPad) return triggerLabel(trigger);
+    return {};
 }
 }  // namespace
 
-DeviceReading Devices::read(platform::Input const& input, bool wantsText, bool wantsPointer, double seconds) {
+DeviceReading Devices::read(Input const& input, Bindings const& bindings, MouseSettings const& mouse,
+                            Listeners const& others, double seconds, float height_px) {
     DeviceReading reading;
     if (!input.keys.empty()) gamepadInHand_ = false;
-    if (!wantsText && input.focused) readFlightKeys(input, reading.flight);
-    readCommands(input, wantsText, reading);
-    readCamera(input, wantsText, wantsPointer, reading.camera);
-    readPads(input, reading, seconds);
+    noteDevices(input);
+    if (input.focused) readActions(input, bindings, others, reading);
+    readAxes(input, bindings, seconds, reading);
+    readMouse(input, mouse, others, height_px, reading);
+    before_ = input;
     return reading;
 }
 
-void Devices::readPads(platform::Input const& input, DeviceReading& reading, double seconds) {
+void Devices::readActions(Input const& input, Bindings const& bindings, Listeners const& others,
+                          DeviceReading& reading) const {
+    std::span<ActionRow const> const rows = actionRows();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (Trigger const& trigger : bindings.actions[i]) {
+            if (isTakenElsewhere(trigger, others) || !isDown(trigger, input) ||
+                isMeantOtherwise(trigger, bindings, input))
+                continue;
+            if (auto const* key = std::get_if<FlightKey>(&rows[i].target)) reading.flight.hold(*key);
+            if (auto const* key = std::get_if<CameraKey>(&rows[i].target))
+                moveCamera(*key, input, reading.camera);
+            if (!wentDown(trigger, input, before_)) continue;
+            if (auto const* command = std::get_if<Command>(&rows[i].target))
+                reading.commands |= 1u << static_cast<unsigned>(*command);
+            if (auto const* mode = std::get_if<CameraMode>(&rows[i].target)) reading.mode = *mode;
+        }
+}
+
+void Devices::readAxes(Input const& input, Bindings const& bindings, double seconds, DeviceReading& reading) {
     constexpr double kLookRate = 2.0;  // rad/s
+    constexpr double kLookDeadZone = 0.15;
     constexpr float kTouched = 0.35f;
-    std::array<bool, platform::kPadButtons> now{};
-    for (platform::Gamepad const& pad : input.gamepads) {
-        PadAxes& axes = reading.flight.pad;
-        larger(axes.roll, pad.axis(PadAxis::leftX));
-        larger(axes.pitch, pad.axis(PadAxis::leftY));  // pulled toward the player: nose up
-        larger(axes.thrust, pad.axis(PadAxis::rightTrigger) - pad.axis(PadAxis::leftTrigger));
-        glm::dvec2 const look{pad.axis(PadAxis::rightX), -pad.axis(PadAxis::rightY)};
-        if (std::max(std::abs(look.x), std::abs(look.y)) > 0.15)
-            reading.camera.look += look * kLookRate * seconds;
-        for (PadBinding const& binding : kFlightButtons)
-            if (pad.button(binding.button)) reading.flight.hold(binding.action);
-        for (std::size_t i = 0; i < now.size(); ++i) now[i] = now[i] || pad.buttons[i];
-        if (std::max({std::abs(axes.roll), std::abs(axes.pitch), std::abs(axes.thrust)}) > kTouched)
-            gamepadInHand_ = true;
+    auto const sum = [&](Axis axis) { return axisSum(bindings.of(axis), input); };
+    PadAxes& pad = reading.flight.pad;
+    pad.roll = sum(Axis::roll), pad.pitch = sum(Axis::pitch), pad.yaw = sum(Axis::yaw),
+    pad.thrust = sum(Axis::thrust);
+    pad.brakes = leverOf(bindings.of(Axis::brakes), input).value_or(0.0f);
+    follow(lever_, leverOf(bindings.of(Axis::lever), input));
+    follow(flaps_, leverOf(bindings.of(Axis::flaps), input));
+    pad.lever = lever_, pad.flaps = flaps_;
+    glm::dvec2 const look{sum(Axis::lookRight), sum(Axis::lookUp)};
+    if (std::max(std::abs(look.x), std::abs(look.y)) > kLookDeadZone)
+        reading.camera.look += look * kLookRate * seconds;
+    if (std::max({std::abs(pad.roll), std::abs(pad.pitch), std::abs(pad.thrust)}) > kTouched)
+        gamepadInHand_ = true;
+}
+
+/// The mouse looks around while its key is held, else it moves the stick where the player wants that.
+void Devices::readMouse(Input const& input, MouseSettings const& mouse, Listeners const& others,
+                        float height_px, DeviceReading& reading) {
+    constexpr double kRadiansPerPixel = 0.004;
+    if (!mouse.flight) mouseStick_.reset();
+    if (mouse.flight && (!mouseStick_ || reading.pressed(Command::centreMouse))) mouseStick_ = MouseStick{};
+    reading.flight.mouse = mouseStick_;
+    if (others.pointer) return;
+    if (reading.camera.looking) {
+        reading.camera.look += glm::dvec2{input.mouseMoved.x, -input.mouseMoved.y} * kRadiansPerPixel;
+    } else if (mouseStick_ && others.mouseFlies) {
+        float const share = 1.0f / (mouse.travel * std::max(height_px, 1.0f));
+        float const pulled = static_cast<float>(input.mouseMoved.y) * (mouse.invertPitch ? -1.0f : 1.0f);
+        mouseStick_->roll =
+            std::clamp(mouseStick_->roll + static_cast<float>(input.mouseMoved.x) * share, -1.0f, 1.0f);
+        mouseStick_->pitch = std::clamp(mouseStick_->pitch + pulled * share, -1.0f, 1.0f);
     }
-    auto const went = [&](PadButton button) {
-        return now[static_cast<std::size_t>(button)] && !padBefore_[static_cast<std::size_t>(button)];
+    reading.flight.mouse = mouseStick_;
+}
+
+void Devices::noteDevices(Input const& input) {
+    std::vector<std::string> now = deviceNames(input);
+    if (names_ && *names_ == now) return;
+    std::vector<std::string> const before = std::exchange(names_, now).value_or(std::vector<std::string>{});
+    auto const say = [&](char const* what, std::vector<std::string> const& of,
+                         std::vector<std::string> const& without) {
+        std::vector<std::string> names;
+        std::set_difference(of.begin(), of.end(), without.begin(), without.end(), std::back_inserter(names));
+        for (std::string const& name : names) news_.push_back(what + name);
     };
-    if (went(PadButton::back)) press(reading, Command::camera);
-    if (went(PadButton::start)) press(reading, Command::escape);
-    if (went(PadButton::dpadUp)) press(reading, Command::config);
-    if (went(PadButton::dpadDown)) press(reading, Command::keys);
-    padBefore_ = now;
+    say("Connected: ", now, before);
+    say("Unplugged: ", before, now);
 }
 
-std::vector<HudPrompt> Devices::firstPrompts() const {
-    using platform::keyLabel;
+std::vector<std::string> Devices::takeNews() { return std::exchange(news_, {}); }
+
+std::string Devices::capOf(ActionTarget const& target, Bindings const& bindings) const {
+    std::string const cap = firstLabel(bindings.of(target), gamepadInHand_);
+    return cap.empty() ? firstLabel(bindings.of(target), !gamepadInHand_) : cap;
+}
+
+std::vector<HudPrompt> Devices::firstPrompts(Bindings const& bindings) const {
+    std::vector<HudPrompt> prompts;
+    auto const add = [&](std::string const& a, std::string const& b, char const* action) {
+        if (!a.empty() || !b.empty())
+            prompts.push_back({fmt::format("{}{}{}", a, a.empty() || b.empty() ? "" : " ", b), action});
+    };
+    auto const axis = [&](Axis which) { return firstLabel(bindings.of(which), true); };
+    auto const action = [&](ActionTarget const& target) {
+        return firstLabel(bindings.of(target), gamepadInHand_);
+    };
+    if (gamepadInHand_) {
+        add(axis(Axis::roll), "", "roll");
+        add(axis(Axis::pitch), "", "nose up, down");
+        add(axis(Axis::thrust), "", "thrust");
+    } else {
+        add(action(FlightKey::rollLeft), action(FlightKey::rollRight), "roll");
+        add(action(FlightKey::noseUp), action(FlightKey::noseDown), "nose up, down");
+        add(action(FlightKey::thrustUp), action(FlightKey::thrustDown), "thrust");
+    }
+    add(action(FlightKey::drop), "", "drop the parcel");
     if (gamepadInHand_)
-        return {{"Left stick", "steer"}, {"RT LT", "thrust"}, {"A", "drop the parcel"}, {"Start", "menu"}};
-    return {{keyLabel(Key::a) + " " + keyLabel(Key::d), "roll"},
-            {keyLabel(Key::down) + " " + keyLabel(Key::up), "nose up, down"},
-            {keyLabel(Key::w) + " " + keyLabel(Key::s), "thrust"},
-            {keyLabel(Key::space), "drop the parcel"},
-            {keyLabel(Key::h), "all keys"}};
+        add(action(Command::escape), "", "menu");
+    else
+        add(action(Command::keys), "", "all keys");
+    return prompts;
 }
 
-std::vector<HudPrompt> Devices::replayPrompts() const {
-    using platform::keyLabel;
-    return {{keyLabel(Key::space), "pause, play"},
-            {keyLabel(Key::a) + " " + keyLabel(Key::d), "10 s back, on"},
-            {keyLabel(Key::w) + " " + keyLabel(Key::s), "faster, slower"},
-            {keyLabel(Key::c), "camera"},
-            {keyLabel(Key::escape), "leave"}};
-}
-
-std::vector<KeyHelp> keyHelp() {
-    auto const k = [](Key key) { return platform::keyLabel(key); };
-    return {
-        {"Flight", k(Key::w) + " " + k(Key::s), "RT LT", "thrust more, less"},
-        {"Flight", k(Key::a) + " " + k(Key::d) + " " + k(Key::left) + " " + k(Key::right), "left stick",
-         "roll"},
-        {"Flight", k(Key::down) + " " + k(Key::up), "left stick", "nose up, down"},
-        {"Flight", k(Key::q) + " " + k(Key::e), "LB RB", "yaw"},
-        {"Flight", k(Key::space), "A", "drop the parcel"},
-        {"Flight", k(Key::f) + " Shift+" + k(Key::f), "X, Y", "flaps down, up"},
-        {"Flight", k(Key::b), "B", "brakes"},
-        {"Flight", k(Key::r) + " held", "left stick down", "start again in the air here"},
-        {"View", k(Key::c), "Back", "camera: chase, cockpit, free"},
-        {"View", "", "", "and the parcel's, while it falls"},
-        {"View", "right mouse", "right stick", "look around"},
-        {"View",
-         k(Key::i) + " " + k(Key::j) + " " + k(Key::k) + " " + k(Key::l) + " " + k(Key::u) + " " + k(Key::o),
-         "", "move the free camera"},
-        {"View", k(Key::v), "", "show the air: wind, lift and sink"},
-        {"View", k(Key::f5), "", "photograph: over, split, beside, off"},
-        {"View", k(Key::f6), "", "studio: stand still, take a picture"},
-        {"View", k(Key::f2), "", "show normals"},
-        {"View", k(Key::f3), "", "show the wireframe"},
-        {"View", k(Key::f11), "", "full screen"},
-        {"View", k(Key::f12), "", "take a picture"},
-        {"Game", k(Key::p), "", "pause"},
-        {"Game", k(Key::f1), "D-pad up", "settings"},
-        {"Game", k(Key::f4), "", "weather"},
-        {"Game", k(Key::h), "D-pad down", "this page"},
-        {"Game", k(Key::escape), "Start", "close a page, else the menu"}};
+std::vector<HudPrompt> Devices::replayPrompts(Bindings const& bindings) const {
+    auto const pair = [&](ActionTarget const& a, ActionTarget const& b) {
+        std::string const first = capOf(a, bindings), second = capOf(b, bindings);
+        return first.empty() || second.empty() ? first + second : first + " " + second;
+    };
+    return {{capOf(FlightKey::drop, bindings), "pause, play"},
+            {pair(FlightKey::rollLeft, FlightKey::rollRight), "10 s back, on"},
+            {pair(FlightKey::thrustUp, FlightKey::thrustDown), "faster, slower"},
+            {capOf(Command::camera, bindings), "camera"},
+            {capOf(Command::escape, bindings), "leave"}};
 }
 }  // namespace luftpost::ui

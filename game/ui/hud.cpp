@@ -9,24 +9,11 @@
 #include "engine/core/time.h"
 #include "game/ui/draw_text.h"
 #include "game/ui/hud_geometry.h"
+#include "game/ui/hud_pen.h"
 
 namespace luftpost::ui {
 namespace {
 using namespace colour;
-constexpr float kPi = static_cast<float>(core::kPi);
-
-/// What every part of the HUD draws with. Lengths are units of 1/720 of the window's height.
-struct Pen {
-    ImDrawList& list;
-    Fonts const& f;
-    glm::vec2 size;
-    float s;  // pixels per unit
-
-    glm::vec2 px(float x, float y) const { return glm::round(glm::vec2{x, y} * s); }
-    void plate(glm::vec2 from, glm::vec2 to, ImU32 fill = kPlate) const {
-        list.AddRectFilled(im(from), im(to), fill, 9.0f * s);
-    }
-};
 
 std::string thousands(double value) {
     std::string text = fmt::format("{:.0f}", std::abs(value));
@@ -34,8 +21,6 @@ std::string thousands(double value) {
     return fmt::format("{}{}", value <= -0.5 ? "\u2212" : "", text);
 }
 
-double feet(double metres) { return metres / core::kMetresPerFoot; }
-double knots(double speed) { return speed / core::kMetresPerSecondPerKnot; }
 double wholeDegrees(double angle) {
     double const d = std::round(core::degrees(angle));
     return d - 360.0 * std::floor(d / 360.0);
@@ -101,7 +86,7 @@ void drawLever(Pen const& pen, glm::vec2 at, float high, double value, ImU32 fil
     float const wide = 12.0f * pen.s;
     glm::vec2 const foot = at + glm::vec2{wide, high};
     auto const share = static_cast<float>(std::clamp(value, 0.0, 1.0));
-    pen.list.AddRectFilled(im(at), im(foot), IM_COL32(250, 245, 230, 60), 0.5f * wide);
+    pen.list.AddRectFilled(im(at), im(foot), kTrough, 0.5f * wide);
     glm::vec2 const top{at.x, foot.y - share * (high - wide) - wide};
     pen.list.AddRectFilled(im(top), im(foot), fill, 0.5f * wide);
     glm::vec2 const knob = top + glm::vec2{0.5f * wide, 0.5f * wide};
@@ -119,14 +104,21 @@ void drawFlaps(Pen const& pen, glm::vec2 at, double flaps) {
     drawText(pen.list, pen.f.small, at + pen.px(84, 0), kPaper, flaps < 0.01 ? "up" : fmt::format("{:.0f} %", 100.0 * flaps));
 }
 
+/// How long it lasts, else how much there is.
+std::string fuelText(HudState const& state) {
+    if (!state.fuelSeconds || *state.fuelSeconds > 35940.0) return fmt::format("{:.0f} kg", state.fuel_kg);
+    auto const minutes = static_cast<int>(*state.fuelSeconds / 60.0);
+    return fmt::format("{}:{:02} h", minutes / 60, minutes % 60);
+}
+
 void drawFuel(Pen const& pen, glm::vec2 at, HudState const& state) {
     double const share = state.fuelCapacity_kg > 0.0 ? state.fuel_kg / state.fuelCapacity_kg : 0.0;
     ImU32 const fill = share < 0.12 ? kRed : kPaper;
     drawText(pen.list, pen.f.small, at, kFaint, "Fuel");
     glm::vec2 const from = at + pen.px(45, 5), to = at + pen.px(78, 13);
-    pen.list.AddRectFilled(im(from), im(to), IM_COL32(250, 245, 230, 60), 4.0f * pen.s);
+    pen.list.AddRectFilled(im(from), im(to), kTrough, 4.0f * pen.s);
     pen.list.AddRectFilled(im(from), im({from.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to.x - from.x), to.y}), fill, 4.0f * pen.s);
-    drawText(pen.list, pen.f.small, at + pen.px(84, 0), fill, fmt::format("{:.0f} kg", state.fuel_kg));
+    drawText(pen.list, pen.f.small, at + pen.px(84, 0), fill, fuelText(state));
 }
 
 void drawSpeed(Pen const& pen, HudState const& state) {
@@ -145,13 +137,26 @@ void drawSpeed(Pen const& pen, HudState const& state) {
     drawText(pen.list, pen.f.small, from + pen.px(56, 104), braking ? kYellow : faded(kFaint, 0.55f), braking ? "Brakes on" : "Brakes off");
 }
 
+/// Speed and height as bare figures, for those who want the picture.
+void drawFigures(Pen const& pen, HudState const& state) {
+    glm::vec2 const size = pen.px(116, 44);
+    glm::vec2 const left{14.0f * pen.s, pen.size.y - 14.0f * pen.s - size.y}, right = pen.size - size - 14.0f * pen.s;
+    auto const figure = [&](glm::vec2 from, ImU32 tone, std::string const& text, char const* unit) {
+        pen.plate(from, from + size);
+        float const wide = drawText(pen.list, pen.f.large, from + pen.px(14, 6), tone, text);
+        drawText(pen.list, pen.f.normal, from + pen.px(19, 15) + glm::vec2{wide, 0.0f}, kFaint, unit);
+    };
+    figure(left, state.stalled ? kRed : kPaper, fmt::format("{:.0f}", knots(state.indicatedSpeed)), "kt");
+    figure(right, kPaper, thousands(std::round(feet(state.positionWorld.y) / 10.0) * 10.0), "ft");
+}
+
 // --- altitude ---------------------------------------------------------------------------------------------------
 void drawClimb(Pen const& pen, glm::vec2 at, double climb) {
     double const feetPerMinute = std::round(feet(climb) * 6.0) * 10.0;
     drawText(pen.list, pen.f.small, at, kPaper, fmt::format("{}{} ft/min", feetPerMinute > 0.0 ? "+" : "", thousands(feetPerMinute)));
     // A needle left of the panel's right edge: full scale 10 m/s.
     glm::vec2 const scale = at + pen.px(118, -50);
-    pen.list.AddRectFilled(im(scale), im(scale + pen.px(6, 84)), IM_COL32(250, 245, 230, 60), 3.0f * pen.s);
+    pen.list.AddRectFilled(im(scale), im(scale + pen.px(6, 84)), kTrough, 3.0f * pen.s);
     float const way = static_cast<float>(std::clamp(climb / 10.0, -1.0, 1.0)) * 40.0f;
     glm::vec2 const middle = scale + pen.px(0, 42);
     pen.list.AddRectFilled(im(middle + pen.px(0, std::min(0.0f, -way))), im(middle + pen.px(6, std::max(0.0f, -way))),
@@ -229,7 +234,7 @@ void drawWeather(Pen const& pen, HudState const& state) {
 
 // --- messages, prompts, warnings ----------------------------------------------------------------------------------
 void drawMessages(Pen const& pen, HudState const& state) {
-    float y = 74.0f * pen.s;
+    float y = (state.inside ? 196.0f : 74.0f) * pen.s;
     for (HudMessage const& message : state.messages) {
         if (message.age < 0.0 || message.age > kMessageSeconds) continue;
         auto const alpha = static_cast<float>(std::clamp(std::min(message.age * 5.0, (kMessageSeconds - message.age) * 1.5), 0.0, 1.0));
@@ -251,6 +256,19 @@ void drawStall(Pen const& pen, HudState const& state) {
     drawText(pen.list, pen.f.large, at - glm::vec2{0.0f, 0.5f * pen.f.large.size_px}, kPaper, "STALL", 0.5f);
 }
 
+/// It will not fly on from here: how one gets back into the air.
+void drawStuck(Pen const& pen, HudState const& state) {
+    if (!state.stuck) return;
+    std::string const text = "Stuck? Hold", rest = "to be in the air again";
+    float const cap = std::max(1.32f * pen.f.normal.size_px, textSize(pen.f.normal, state.respawnCap).x + 0.84f * pen.f.normal.size_px);
+    float const before = textSize(pen.f.normal, text).x + 10.0f * pen.s, wide = before + cap + 10.0f * pen.s + textSize(pen.f.normal, rest).x;
+    glm::vec2 const from = glm::round(glm::vec2{0.5f * (pen.size.x - wide), 0.30f * pen.size.y});
+    pen.plate(from - pen.px(18, 10), from + glm::vec2{wide, 24.0f * pen.s} + pen.px(18, 10), IM_COL32(14, 18, 24, 215));
+    drawText(pen.list, pen.f.normal, from + pen.px(0, 1), kPaper, text);
+    drawKeyCap(pen.list, pen.f.normal, from + glm::vec2{before, 0.0f}, state.respawnCap);
+    drawText(pen.list, pen.f.normal, from + glm::vec2{before + cap + 10.0f * pen.s, pen.s}, kPaper, rest);
+}
+
 void drawPaused(Pen const& pen, HudState const& state) {
     if (!state.paused) return;
     glm::vec2 const at{0.5f * pen.size.x, 0.40f * pen.size.y};
@@ -268,7 +286,9 @@ void drawPrompts(Pen const& pen, HudState const& state) {
         words = std::max(words, textSize(pen.f.small, prompt.action).x);
     }
     float const high = row * static_cast<float>(state.prompts.size()) + 14.0f * pen.s;
-    glm::vec2 const from{14.0f * pen.s, pen.size.y - 156.0f * pen.s - high};
+    // Over the levers, or under the score where the tape stands between.
+    float const top = state.density == HudDensity::full ? 78.0f * pen.s : pen.size.y - 156.0f * pen.s - high;
+    glm::vec2 const from{14.0f * pen.s, top};
     pen.plate(from, from + glm::vec2{caps + words + 38.0f * pen.s, high});
     float y = from.y + 10.0f * pen.s;
     for (HudPrompt const& prompt : state.prompts) {
@@ -310,7 +330,7 @@ void drawZoneSign(Pen const& pen, HudState const& state, NavBar const& bar, glm:
     if (!hits && bar.within) text = "Within the drop zone";
     if (text.empty()) return;
     glm::vec2 const half{0.5f * textSize(pen.f.normal, text).x + 30.0f * pen.s, 15.0f * pen.s};
-    glm::vec2 const at = middle - pen.px(0, 72);
+    glm::vec2 const at = middle + pen.px(0, state.inside ? 72.0f : -72.0f);
     pen.plate(at - half, at + half, hits ? IM_COL32(18, 104, 44, 235) : IM_COL32(20, 70, 150, 225));
     drawText(pen.list, pen.f.normal, at - glm::vec2{-9.0f * pen.s, 0.53f * pen.f.normal.size_px}, kPaper, text, 0.5f);
     pen.list.AddCircleFilled(im({at.x - half.x + 18.0f * pen.s, at.y}), 6.0f * pen.s, hits && blinkOn(state.time, 4.0, 0.6) ? kYellow : kPaper, 20);
@@ -318,7 +338,8 @@ void drawZoneSign(Pen const& pen, HudState const& state, NavBar const& bar, glm:
 
 void drawNavBar(Pen const& pen, HudState const& state) {
     NavBarLayout const layout{glm::vec2{150.0f, 46.0f} * pen.s, 33.0f * pen.s, 6.5f * pen.s};
-    glm::vec2 const middle = glm::round(glm::vec2{0.5f * pen.size.x, pen.size.y - 14.0f * pen.s - layout.half_px.y});
+    float const high = state.inside ? 74.0f * pen.s + layout.half_px.y : pen.size.y - 14.0f * pen.s - layout.half_px.y;
+    glm::vec2 const middle = glm::round(glm::vec2{0.5f * pen.size.x, high});
     float const pod = 92.0f * pen.s;
     glm::vec2 const half = layout.half_px + glm::vec2{pod, 0.0f};
     pen.list.AddRectFilled(im(middle - half), im(middle + half), IM_COL32(247, 242, 228, 216), 14.0f * pen.s);
@@ -344,7 +365,8 @@ void drawTargetMarker(Pen const& pen, HudState const& state) {
     if (!state.target || state.camera.projection != render::Projection::perspective) return;
     glm::dvec3 const away = state.target->positionWorld - state.positionWorld;
     double const distance = std::hypot(away.x, away.z);
-    glm::vec2 const margin{0.06f * pen.size.x + 24.0f * pen.s, 0.13f * pen.size.y + 88.0f * pen.s};
+    bool const wide = state.density == HudDensity::full && !state.inside;  // beside the tape and the balance
+    glm::vec2 const margin{std::max(0.06f * pen.size.x + 24.0f * pen.s, wide ? 196.0f * pen.s : 0.0f), 0.13f * pen.size.y + 88.0f * pen.s};
     EdgeMarker const marker = edgeMarker(state.camera, pen.size, margin, state.target->positionWorld);
     std::string const far = distanceText(distance);
     if (glm::length(marker.outward) > 0.5f) {  // turn that way
@@ -375,12 +397,16 @@ void drawHud(HudState const& state) {
     Pen const pen{*ImGui::GetBackgroundDrawList(), fonts(), {size.x, size.y}, fonts().scale};
     drawTargetMarker(pen, state);
     drawCompass(pen, state);
-    drawSpeed(pen, state);
-    drawAltitude(pen, state);
-    drawScore(pen, state);
-    drawWeather(pen, state);
+    if (state.density == HudDensity::full && !state.inside) drawSpeedTape(pen, state), drawBalance(pen, state);
+    if (state.density == HudDensity::minimal)
+        drawFigures(pen, state);
+    else
+        drawSpeed(pen, state), drawAltitude(pen, state), drawScore(pen, state), drawWeather(pen, state);
     drawPrompts(pen, state);
     drawNavBar(pen, state);
+    drawMouseStick(pen, state);
+    drawLanding(pen, state);
+    drawStuck(pen, state);
     drawStall(pen, state);
     drawPaused(pen, state);
     drawMessages(pen, state);

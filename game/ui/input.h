@@ -21,6 +21,13 @@ enum class FlightKey : unsigned {
     flapsDown,
     flapsUp,
     respawn,
+    thrustStepUp,
+    thrustStepDown,
+    trimNoseUp,
+    trimNoseDown,
+    trimYawLeft,
+    trimYawRight,
+    trimNeutral,
     count
 };
 
@@ -31,17 +38,25 @@ struct DirectStick {
     bool operator==(DirectStick const&) const = default;
 };
 
-/// Gamepad as the device gives it, -1..1: roll + right, pitch + nose up, yaw + right, thrust + more; brakes
-/// 0..1.
+/// Axes of gamepads and joysticks as the devices give them, -1..1: roll + right, pitch + nose up, yaw + right, thrust + more;
+/// brakes, and the levers where there are such, 0..1.
 struct PadAxes {
     float roll = 0.0f, pitch = 0.0f, yaw = 0.0f, thrust = 0.0f, brakes = 0.0f;
+    std::optional<float> lever, flaps;
     bool operator==(PadAxes const&) const = default;
+};
+
+/// The stick as the mouse holds it, -1..1; it stays where it is put.
+struct MouseStick {
+    float roll = 0.0f, pitch = 0.0f;  // + right, + nose up
+    bool operator==(MouseStick const&) const = default;
 };
 
 /// What all devices say at one moment. Held until the next sample.
 struct InputSample {
     unsigned keys = 0;  // bit i: FlightKey i is held (or the gamepad's button for it)
     PadAxes pad;
+    std::optional<MouseStick> mouse;    // takes the place of the pad's roll and pitch
     std::optional<DirectStick> direct;  // takes the place of keys and pad, but for drop and respawn
 
     bool held(FlightKey key) const { return (keys >> static_cast<unsigned>(key) & 1u) != 0; }
@@ -56,6 +71,8 @@ struct InputSample {
 class Stick {
 public:
     static constexpr double kLeverSeconds = 2.0;  // full travel of the thrust lever by keys
+    static constexpr double kTrimSeconds = 4.0;   // from neutral to full trim by keys
+    static constexpr double kLeverStep = 0.1;
     static constexpr int kFlapNotches = 3;
     static constexpr double kRespawnSeconds = 0.7;  // how long the key is held
 
@@ -67,21 +84,28 @@ public:
     };
     Action step(InputSample const& sample, InputSettings const& settings);
 
-    /// The lever of a start or respawn.
-    void setThrottle(double throttle) { controls_.throttle = throttle; }
+    /// The levers of a start or respawn: the trim is solved anew there.
+    void begin(double throttle) {
+        controls_.throttle = throttle;
+        controls_.elevatorTrim = controls_.rudderTrim = 0.0;
+    }
     flight::Controls const& controls() const { return controls_; }
 
     template <class Take>
     void forEachNumber(Take&& take) const {
         for (double value : {controls_.throttle, controls_.elevator, controls_.aileron, controls_.rudder,
-                             controls_.flaps, controls_.brakes})
+                             controls_.flaps, controls_.brakes, controls_.elevatorTrim, controls_.rudderTrim})
             take(value);
+        take(before_.pad.lever.value_or(-1.0f)), take(before_.pad.flaps.value_or(-1.0f));
         take(static_cast<double>(before_.keys)), take(static_cast<double>(respawnTicks_));
     }
 
 private:
     void follow(DirectStick const& stick);
     void followKeys(InputSample const& sample, InputSettings const& settings);
+    void moveLevers(InputSample const& sample, InputSettings const& settings);
+    void moveTrim(InputSample const& sample);
+    bool pressed(InputSample const& sample, FlightKey key) const { return sample.held(key) && !before_.held(key); }
 
     flight::Controls controls_;
     InputSample before_;

@@ -32,6 +32,7 @@ struct Page {
 constexpr std::array<Page, 6> kPages{{{"Aircraft", "aircraft", ""}, {"Clouds", "clouds", ""}, {"Picture", "graphics", ""},
                                       {"View", "hud", "view"}, {"Sound", "sound", ""}, {"Controls", "controls", ""}}};
 constexpr Page kLivePage{"Live", "weather", ""};  // among the weather's own pages
+constexpr Page kKeysPage{"Keys", "keys", "axes"};  // drawn by BindingsPage
 
 std::string capitalised(std::string_view text) {
     std::string result{text};
@@ -144,16 +145,17 @@ void reset(Setting const& setting, ConfigAnswer& answer) {
     if (setting.get() != setting.initial) answer.changes.push_back({std::string{setting.key}, setting.initial});
 }
 
-void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer& answer) {
+void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer& answer, ResponseCurves const* response = nullptr) {
     bool const any = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) { return page.shows(s); });
     std::string const title{page.title};
     if (!any || !beginPage(title.c_str())) return;
-    float const foot = ImGui::GetFrameHeightWithSpacing() + 12.0f * unit();
+    float const foot = ImGui::GetFrameHeightWithSpacing() + 12.0f * unit() + (response ? responseHeight() : 0.0f);
     ImGui::BeginChild("rows", {0.0f, -foot}, false);
     ImGui::Dummy({0.0f, 2.0f * unit()});
     for (Setting const& setting : settings)
         if (page.shows(setting)) drawSetting(setting, answer);
     ImGui::EndChild();
+    if (response) drawResponse(*response);
     ImGui::Separator();
     bool const resetPage = ImGui::Button(fmt::format("Reset {}", title).c_str());
     ImGui::SameLine();
@@ -163,14 +165,22 @@ void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer&
     ImGui::EndTabItem();
 }
 
-void drawPages(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage, ConfigAnswer& answer) {
-    drawPage(settings, kPages[0], answer);
-    drawWeatherPage(weather, weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
+void drawKeysTab(ConfigPages const& pages, ConfigAnswer& answer) {
+    if (!beginPage("Keys")) return pages.bindingsPage.giveUp();
+    std::vector<SettingChange> const changes = pages.bindingsPage.draw(pages.bindings, pages.input);
+    answer.changes.insert(answer.changes.end(), changes.begin(), changes.end());
+    ImGui::EndTabItem();
+}
+
+void drawPages(core::SettingList const& settings, ConfigPages const& pages, ConfigAnswer& answer) {
+    drawPage(settings, kPages[0], answer, pages.response);
+    drawWeatherPage(pages.weather, pages.weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
     for (Page const& page : kPages)
         if (&page != &kPages[0]) drawPage(settings, page, answer);
+    drawKeysTab(pages, answer);
     std::vector<std::string_view> others;
     for (Setting const& setting : settings) {
-        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); }) || kLivePage.shows(setting);
+        bool const known = std::any_of(kPages.begin(), kPages.end(), [&](Page const& p) { return p.shows(setting); }) || kLivePage.shows(setting) || kKeysPage.shows(setting);
         std::string_view const group = groupOf(setting.key);
         if (!known && std::find(others.begin(), others.end(), group) == others.end()) others.push_back(group);
     }
@@ -207,15 +217,11 @@ void drawKeyRow(KeyHelp const& row) {
     ImGui::TableSetColumnIndex(0);
     ImVec2 at = ImGui::GetCursorScreenPos();
     float x = at.x;
-    for (std::size_t from = 0; from < row.caps.size();) {  // caps stand apart where the text has spaces
-        std::size_t const to = std::min(row.caps.find(' ', from), row.caps.size());
-        if (to > from) x += drawKeyCap(list, fonts().small, {x, at.y + 2.0f * unit()}, row.caps.substr(from, to - from)) + 5.0f * unit();
-        from = to + 1;
-    }
+    for (std::string const& cap : row.caps) x += drawKeyCap(list, fonts().small, {x, at.y + 2.0f * unit()}, cap) + 5.0f * unit();
     ImGui::TableSetColumnIndex(1);
     ImGui::TextUnformatted(row.action.c_str());
     ImGui::TableSetColumnIndex(2);
-    ImGui::TextDisabled("%s", row.gamepad.c_str());
+    ImGui::TextDisabled("%s", fmt::format("{}", fmt::join(row.pad, ", ")).c_str());
 }
 
 void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
@@ -231,10 +237,10 @@ void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
 }
 }  // namespace
 
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage) {
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, ConfigPages const& pages) {
     ConfigAnswer answer;
     ImVec2 const size = ImGui::GetIO().DisplaySize;
-    float const width = std::min(506.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
+    float const width = std::min(568.0f * unit(), size.x - 20.0f), top = 84.0f * unit();
     ImGui::SetNextWindowPos({size.x - 14.0f * unit(), top}, ImGuiCond_Appearing, {1.0f, 0.0f});
     ImGui::SetNextWindowSize({width, size.y - top - 150.0f * unit()}, ImGuiCond_Appearing);
     bool open = true;
@@ -242,7 +248,7 @@ ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const
         ImGuiStyle& style = ImGui::GetStyle();
         ImVec2 const between = std::exchange(style.ItemInnerSpacing, ImVec2{2.0f * unit(), style.ItemInnerSpacing.y});
         if (ImGui::BeginTabBar("pages", ImGuiTabBarFlags_FittingPolicyScroll)) {
-            drawPages(settings, weather, weatherPage, answer);
+            drawPages(settings, pages, answer);
             ImGui::EndTabBar();
         }
         style.ItemInnerSpacing = between;
@@ -270,7 +276,7 @@ bool drawKeysPage(std::span<KeyHelp const> rows) {
     for (KeyHelp const& row : rows)
         if (groups.empty() || groups.back() != row.group) groups.push_back(row.group);
     beginCentred("keys", std::min(1080.0f * unit(), ImGui::GetIO().DisplaySize.x), 0.0f);
-    drawTitle("Keys", "Keys are named after their place; the letters are those of your keyboard.");
+    drawTitle("Keys", "The letters are those of your keyboard. All can be bound anew: Settings, page Keys.");
     // The first group on the left, the others beside it, so that all is seen at once.
     ImGui::Columns(2, "groups", false);
     for (std::string const& group : groups) {

@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "engine/core/settings.h"
+#include "game/ui/bindings_page.h"
+#include "game/ui/response_plot.h"
 #include "game/ui/weather_page.h"
 
 namespace luftpost::ui {
-/// A changed setting: the new value, of the setting's type and within its range.
-struct SettingChange {
-    std::string key;
-    core::SettingValue value;
-};
-
 /// What the player did in the config menu this frame.
 struct ConfigAnswer {
     std::vector<SettingChange> changes;
@@ -24,21 +20,24 @@ struct ConfigAnswer {
     bool close = false;  // the cross
 };
 
+/// What the config menu shows beside the settings themselves.
+struct ConfigPages {
+    MenuWeather const& weather;
+    Bindings const& bindings;
+    BindingsPage& bindingsPage;
+    platform::Input const* input = nullptr;  // none without a window
+    bool weatherPage = false;                // brings that one to the front
+    ResponseCurves const* response = nullptr;  // of the assist's settings, for their page
+};
+
 /// The config menu at the right of the screen: flight goes on beside it. Pages are the groups of the keys ("clouds.hg"
-/// belongs to "clouds"); which one is open is kept by Dear ImGui, unless `weatherPage` brings that one to the front.
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage = false);
+/// belongs to "clouds"); which one is open is kept by Dear ImGui.
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, ConfigPages const& pages);
 
 enum class PauseChoice { none, resume, studio, config, keys, restart, quit };
 /// The pause menu in the middle of the screen.
 PauseChoice drawPauseMenu();
 
-/// One row of the key help: what the key does and its caps in the layout (and on the gamepad) in hand.
-struct KeyHelp {
-    std::string group;    // "Flight", "View", "Game"
-    std::string caps;     // "A D"
-    std::string gamepad;  // "left stick"; empty: none
-    std::string action;   // "roll"
-};
 /// The keys page. True when its cross was clicked.
 bool drawKeysPage(std::span<KeyHelp const> rows);
 }  // namespace luftpost::ui

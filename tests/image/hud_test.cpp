@@ -81,6 +81,50 @@ TEST(Hud, IsLegibleOverSnowAndAtNightAt720LinesAndIn4K) {
         }
 }
 
+TEST(Hud, ShowsAsMuchAsIsAskedFor) {
+    auto const touched = [](ui::HudDensity density, bool inside) {
+        ui::HudState state = flying();
+        state.density = density;
+        state.inside = inside;
+        Picture picture = drawn(state, {1280, 720}, glm::vec3{0.5f});
+        return std::count_if(picture.pixels.begin(), picture.pixels.end(), [](glm::vec3 p) { return p != glm::vec3{0.5f}; });
+    };
+    using enum ui::HudDensity;
+    EXPECT_GT(touched(full, false), touched(reduced, false) + 30000);
+    EXPECT_GT(touched(reduced, false), touched(minimal, false) + 30000);
+    EXPECT_GT(touched(minimal, false), 20000) << "speed, height, heading and the way";
+    ui::HudState state = flying();
+    state.inside = true;
+    Picture picture = drawn(state, {1280, 720}, glm::vec3{0.5f});
+    for (int y = 470; y < 720; ++y)
+        for (int x = 240; x < 1040; ++x) ASSERT_EQ(picture.at(x, y), glm::vec3{0.5f}) << "the panel is free at " << x << ", " << y;
+}
+
+TEST(Hud, MarksTheLimitsOfTheSpeedByMoreThanColour) {
+    ui::HudState slow = flying(), fast = flying();
+    slow.indicatedSpeed = 24.0, fast.indicatedSpeed = 80.0;
+    for (ui::HudState const& state : {slow, fast}) {  // the hatched band beside the scale: strokes of ink in it
+        Picture picture = drawn(state, {1280, 720}, glm::vec3{0.5f});
+        int changes = 0;
+        bool const below = state.indicatedSpeed < 50.0;
+        for (int y = below ? 425 : 260; y < (below ? 540 : 390); ++y)
+            changes += std::abs(luminance(picture.at(92, y)) - luminance(picture.at(92, y + 1))) > 0.02f;
+        EXPECT_GT(changes, 10) << state.indicatedSpeed;
+    }
+}
+
+TEST(Hud, TellsALandingForSomeSeconds) {
+    ui::HudState state = flying();
+    state.landing = ui::HudLanding{.touchdownSpeed = 0.8, .speed = 27.0, .loadFactor = 1.3, .drift = 0.6, .onAirfield = true, .beyondAim = 35.0, .offLine = -3.0, .age = 2.0};
+    for (float ground : {1.0f, 0.0f}) {
+        Picture picture = drawn(state, {1280, 720}, glm::vec3{ground});
+        EXPECT_GT(contrast(picture, {500, 150}, {780, 250}), 7.0f) << "over " << ground;
+    }
+    Picture const before = drawn(flying(), {1280, 720}, glm::vec3{0.5f});
+    state.landing->age = ui::kLandingSeconds + 0.1;
+    EXPECT_EQ(drawn(state, {1280, 720}, glm::vec3{0.5f}).pixels, before.pixels) << "and no longer";
+}
+
 TEST(Hud, SaysThatTheFlightIsPaused) {
     ui::HudState paused = flying();
     paused.paused = true;
@@ -173,7 +217,10 @@ ui::ConfigAnswer frameOfMenu(ui::ScreenFrame& frame, core::SettingList const& li
     input.mouse = pointer;
     input.mouseHeld[0] = down;
     frame.begin({1280, 720}, 1.0f, 1.0 / 60.0, &input);
-    ui::ConfigAnswer answer = ui::drawConfigMenu(list, fairWeather());
+    ui::MenuWeather const weather = fairWeather();
+    ui::Bindings const bindings;
+    ui::BindingsPage page;
+    ui::ConfigAnswer answer = ui::drawConfigMenu(list, {weather, bindings, page});
     frame.end();
     return answer;
 }
@@ -183,13 +230,14 @@ TEST(ConfigMenu, ShowsThatAllItsPagesAreThere) {
     core::SettingList const list = app::settingList(settings);
     for (glm::ivec2 const size : {glm::ivec2{960, 540}, glm::ivec2{1280, 720}, glm::ivec2{1024, 768}}) {
         ui::ScreenFrame frame;
+        ui::BindingsPage page;
         for (int i = 0; i < 3; ++i) {
             frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
-            ui::drawConfigMenu(list, fairWeather());
+            ui::drawConfigMenu(list, {fairWeather(), settings.bindings, page});
             frame.end();
         }
         ImGuiTabBar const& tabs = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);
-        EXPECT_EQ(tabs.Tabs.Size, 7) << "aircraft, weather, clouds, picture, view, sound, controls";
+        EXPECT_EQ(tabs.Tabs.Size, 8) << "aircraft, weather, clouds, picture, view, sound, controls, keys";
         EXPECT_LE(tabs.WidthAllTabsIdeal, tabs.BarRect.GetWidth()) << "no tab behind the arrows at " << size.x;
     }
 }
@@ -199,7 +247,7 @@ TEST(KeysPage, IsSeenWhole) {
         ui::ScreenFrame frame;
         for (int i = 0; i < 3; ++i) {
             frame.begin(size, 1.0f, 1.0 / 60.0, nullptr);
-            ui::drawKeysPage(ui::keyHelp());
+            ui::drawKeysPage(ui::keyHelp(ui::Bindings{}));
             frame.end();
         }
         ImGuiWindow const* page = ImGui::FindWindowByName("keys");

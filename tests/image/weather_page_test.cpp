@@ -45,10 +45,11 @@ ui::WeatherAnswer drawPage(ui::ScreenFrame& frame, ui::MenuWeather const& weathe
                            platform::Input const* input = nullptr, int frames = 4) {
     app::Settings settings;
     core::SettingList const list = app::settingList(settings);
+    ui::BindingsPage page;
     ui::WeatherAnswer answer;
     for (int i = 0; i < frames; ++i) {
         frame.begin(size, 1.0f, 1.0 / 60.0, input);
-        answer = ui::drawConfigMenu(list, weather, true).weather;
+        answer = ui::drawConfigMenu(list, {weather, ui::Bindings{}, page, nullptr, true}).weather;
         if (i < 2)
             for (int bar = 0; bar < ImGui::GetCurrentContext()->TabBars.GetMapSize(); ++bar)
                 if (ImGuiTabBar* tabs = ImGui::GetCurrentContext()->TabBars.TryGetMapData(bar))

@@ -31,7 +31,7 @@ Cameras flown(CameraMode mode, double framesPerSecond, double seconds) {
 }
 
 TEST(Cameras, AreNeverUnderTheGround) {
-    for (CameraMode mode : {CameraMode::chase, CameraMode::free, CameraMode::parcel}) {
+    for (CameraMode mode : {CameraMode::chase, CameraMode::tower, CameraMode::free, CameraMode::parcel}) {
         Cameras cameras;
         cameras.reset(turning(0.0), hills);
         cameras.watchParcel({40.0, 300.0, -30.0});
@@ -84,24 +84,88 @@ TEST(Cameras, PutThePilotsEyeIntoTheCockpitLookingAhead) {
     glm::dvec3 const eye = glm::conjugate(subject.worldFromBody) * (cameras.pose().positionWorld - subject.positionWorld);
     EXPECT_LT(glm::length(eye - kPilotEyeBody), 0.05);
     glm::dvec3 const ahead = cameras.pose().worldFromCamera * glm::dvec3{0.0, 0.0, -1.0};
-    EXPECT_GT(glm::dot(ahead, subject.worldFromBody * glm::dvec3{1.0, 0.0, 0.0}), 0.99);
+    EXPECT_GT(glm::dot(ahead, subject.worldFromBody * glm::dvec3{1.0, 0.0, 0.0}), 0.98);  // ten degrees down, where the panel is
     glm::dvec3 const up = cameras.pose().worldFromCamera * glm::dvec3{0.0, 1.0, 0.0};
-    EXPECT_GT(glm::dot(up, subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}), 0.99);  // banks with the aircraft
+    EXPECT_GT(glm::dot(up, subject.worldFromBody * glm::dvec3{0.0, 1.0, 0.0}), 0.98);  // banks with the aircraft
     EXPECT_TRUE(cameras.inside());
 }
 
-TEST(Cameras, GoRoundChaseCockpitFree) {
+TEST(Cameras, GoRoundAllOfThem) {
     Cameras cameras;
-    cameras.next();
-    EXPECT_EQ(cameras.mode(), CameraMode::cockpit);
-    cameras.next();
-    EXPECT_EQ(cameras.mode(), CameraMode::free);
-    cameras.next();
-    EXPECT_EQ(cameras.mode(), CameraMode::chase);
+    for (CameraMode mode : {CameraMode::cockpit, CameraMode::wing, CameraMode::hatch, CameraMode::tower, CameraMode::free, CameraMode::chase}) {
+        cameras.next();
+        EXPECT_EQ(cameras.mode(), mode);
+    }
     cameras.select(CameraMode::free);
     cameras.next(true);
     EXPECT_EQ(cameras.mode(), CameraMode::parcel) << "while a parcel falls";
     cameras.next(true);
     EXPECT_EQ(cameras.mode(), CameraMode::chase);
+}
+
+/// Degrees between the camera's axis and the way to the aircraft.
+double offAxis_deg(Cameras const& cameras, CameraSubject const& subject) {
+    glm::dvec3 const seen = glm::conjugate(cameras.pose().worldFromCamera) * (subject.positionWorld - cameras.pose().positionWorld);
+    return std::atan2(std::hypot(seen.x, seen.y), -seen.z) * 57.29577951308232;
+}
+
+TEST(Cameras, WatchFromTheTowerAndFarFromItFromBesideTheWay) {
+    for (glm::dvec3 const tower : {glm::dvec3{100.0, 350.0, 50.0}, glm::dvec3{60000.0, 350.0, 0.0}}) {
+        Cameras cameras;
+        cameras.setTower(tower);
+        cameras.reset(turning(0.0), hills);
+        cameras.select(CameraMode::tower);
+        for (int i = 1; i < 900; ++i) {
+            cameras.advance(turning(i / 60.0), {}, hills, 1.0 / 60.0, 1.0 / 60.0);
+            ASSERT_LT(offAxis_deg(cameras, turning(i / 60.0)), 1.0) << i;
+            ASSERT_LT(glm::distance(cameras.pose().positionWorld, turning(i / 60.0).positionWorld), 500.0) << i;
+        }
+    }
+}
+
+TEST(Cameras, RideOnTheAircraftAtTheWingAndTheHatch) {
+    for (CameraMode mode : {CameraMode::wing, CameraMode::hatch}) {
+        Cameras cameras = flown(mode, 60.0, 2.0);
+        CameraSubject const subject = turning(2.0);
+        glm::dvec3 const eye = glm::conjugate(subject.worldFromBody) * (cameras.pose().positionWorld - subject.positionWorld);
+        EXPECT_LT(glm::length(eye), 7.0);
+        EXPECT_FALSE(cameras.inside());
+        CameraInput look;
+        look.look = {0.5, 0.0};
+        glm::dquat const before = cameras.pose().worldFromCamera;
+        cameras.advance(subject, look, hills, 0.0, 0.0);
+        EXPECT_NEAR(2.0 * std::acos(std::abs(glm::dot(before, cameras.pose().worldFromCamera))), 0.5, 1.0e-6) << "looks around";
+    }
+}
+
+TEST(Cameras, ComeNearerByTheWheelByALensWhereTheyCannotMove) {
+    CameraInput nearer;
+    nearer.zoom = 5.0;
+    for (CameraMode mode : {CameraMode::cockpit, CameraMode::wing, CameraMode::hatch}) {
+        Cameras cameras = flown(mode, 60.0, 2.0);
+        double const before = cameras.pose().horizontalFov;
+        cameras.advance(turning(2.0), nearer, hills, 0.0, 0.0);
+        EXPECT_NEAR(cameras.pose().horizontalFov, before * std::exp(-0.6), 1.0e-9);
+    }
+    Cameras chase = flown(CameraMode::chase, 60.0, 2.0);
+    double const far = glm::distance(chase.pose().positionWorld, turning(2.0).positionWorld);
+    for (int i = 0; i < 60; ++i) chase.advance(turning(2.0 + i / 60.0), i == 0 ? nearer : CameraInput{}, hills, 1.0 / 60.0, 1.0 / 60.0);
+    EXPECT_LT(glm::distance(chase.pose().positionWorld, turning(2.0 + 59.0 / 60.0).positionWorld), 0.8 * far);
+}
+
+TEST(Cameras, ChaseFartherAndWiderAtSpeedAndNearerInAPull) {
+    auto const after = [](double speed, double load) {
+        CameraSubject subject;
+        subject.positionWorld = {0.0, 900.0, 0.0};
+        subject.velocityWorld = {speed, 0.0, 0.0};
+        subject.loadFactor = load;
+        Cameras cameras;
+        cameras.reset(subject, hills);
+        for (int i = 0; i < 600; ++i) cameras.advance(subject, {}, hills, 1.0 / 60.0, 1.0 / 60.0);
+        return std::pair{glm::distance(cameras.pose().positionWorld, subject.positionWorld), cameras.pose().horizontalFov};
+    };
+    EXPECT_GT(after(70.0, 1.0).first, after(35.0, 1.0).first + 1.0);
+    EXPECT_GT(after(70.0, 1.0).second, after(35.0, 1.0).second);
+    EXPECT_LT(after(55.0, 3.0).first, after(55.0, 1.0).first - 0.5);
 }
 }  // namespace

@@ -40,9 +40,14 @@ struct Pilot {
         pad().buttons[static_cast<std::size_t>(button)] = true;
         return *this;
     }
+    Bindings bindings;
+    MouseSettings mouse;
+
     DeviceReading read(bool wantsText = false, bool wantsPointer = false) {
-        DeviceReading const reading = devices.read(input, wantsText, wantsPointer, core::kTickSeconds);
-        input.keys.clear();
+        Listeners const others{wantsText, wantsPointer, mouse.flight};
+        DeviceReading const reading = devices.read(input, bindings, mouse, others, core::kTickSeconds, 720.0f);
+        input.keys.clear(), input.mouseButtons.clear();
+        input.scrolled = glm::dvec2{0.0}, input.mouseMoved = glm::dvec2{0.0};
         return reading;
     }
     flight::Controls fly(double seconds, bool wantsText = false) {
@@ -137,9 +142,9 @@ TEST(Keys, GiveTheirCommandOnceAPress) {
         {Key::c, Command::camera},    {Key::p, Command::pause},      {Key::f1, Command::config},
         {Key::f2, Command::normals},  {Key::f3, Command::wireframe}, {Key::f11, Command::fullScreen},
         {Key::f12, Command::picture}, {Key::h, Command::keys},       {Key::f4, Command::weather},
-        {Key::f5, Command::photo},    {Key::f6, Command::studio},     {Key::v, Command::air},
-        {Key::escape, Command::escape}};
-    EXPECT_EQ(std::size(table), static_cast<std::size_t>(Command::count));
+        {Key::f5, Command::photo},    {Key::f6, Command::studio},  {Key::v, Command::air},        {Key::escape, Command::escape},
+        {Key::n, Command::hudDensity}, {Key::m, Command::mouseFlight}};
+    EXPECT_EQ(std::size(table) + 1, static_cast<std::size_t>(Command::count)) << "and one of the mouse's";
     for (auto const& [key, command] : table) {
         Pilot pilot;
         DeviceReading const reading = pilot.hold(key).read();
@@ -183,13 +188,106 @@ TEST(Keys, MoveTheFreeCameraAndTheMouseLooksAroundButNotOverAMenu) {
     pilot.input.mouseHeld[static_cast<std::size_t>(platform::MouseButton::right)] = true;
     pilot.input.mouseMoved = {10.0, -5.0};
     pilot.input.scrolled = {0.0, 2.0};
-    CameraInput const free = pilot.read().camera, menu = pilot.read(false, true).camera;
+    CameraInput const menu = Pilot{pilot}.read(false, true).camera, free = pilot.read().camera;
     EXPECT_EQ(free.move, (glm::dvec3{1.0, 0.0, -1.0}));
     EXPECT_GT(free.look.x, 0.0);
     EXPECT_GT(free.look.y, 0.0);
     EXPECT_EQ(free.zoom, 2.0);
     EXPECT_EQ(menu.look, glm::dvec2{0.0});
     EXPECT_EQ(menu.zoom, 0.0);
+}
+
+TEST(Keys, TrimWhileTheyAreHeldAndStayUntilNeutral) {
+    Pilot pilot;
+    EXPECT_NEAR(pilot.hold(Key::pageDown).fly(1.0).elevatorTrim, 0.25, 1.0e-9) << "nose up";
+    EXPECT_NEAR(pilot.release().fly(1.0).elevatorTrim, 0.25, 1.0e-9);
+    EXPECT_NEAR(pilot.hold(Key::pageUp).fly(2.0).elevatorTrim, -0.25, 1.0e-9);
+    EXPECT_NEAR(pilot.release().hold(Key::period).fly(9.0).rudderTrim, 1.0, 1.0e-9) << "and no further";
+    flight::Controls const neutral = pilot.release().hold(Key::home).fly(0.1);
+    EXPECT_EQ(neutral.elevatorTrim, 0.0);
+    EXPECT_EQ(neutral.rudderTrim, 0.0);
+}
+
+TEST(Keys, MoveTheThrottleByATenthAPress) {
+    Pilot pilot;
+    EXPECT_NEAR(pilot.hold(Key::equal).fly(1.0).throttle, 0.1, 1.0e-9);
+    pilot.release().fly(0.1);
+    EXPECT_NEAR(pilot.hold(Key::keypadAdd).fly(0.1).throttle, 0.2, 1.0e-9);
+    EXPECT_NEAR(pilot.release().hold(Key::minus).fly(0.1).throttle, 0.1, 1.0e-9);
+}
+
+TEST(Keys, ChooseACameraEach) {
+    std::pair<Key, CameraMode> const table[]{{Key::digit1, CameraMode::chase}, {Key::digit2, CameraMode::cockpit}, {Key::digit3, CameraMode::wing},
+                                             {Key::digit4, CameraMode::hatch}, {Key::digit5, CameraMode::tower},   {Key::digit6, CameraMode::free}};
+    for (auto const& [key, mode] : table) {
+        Pilot pilot;
+        EXPECT_EQ(pilot.hold(key).read().mode, mode);
+        EXPECT_FALSE(pilot.read().mode) << "held";
+    }
+}
+
+TEST(Keys, DoWhatTheyAreBoundTo) {
+    Pilot pilot;
+    pilot.bindings.actions[actionOf(FlightKey::rollLeft)] = *parseTriggers("x mouse.back wheel.down joy2.button3");
+    EXPECT_FALSE(pilot.hold(Key::a).read().flight.held(FlightKey::rollLeft));
+    EXPECT_TRUE(pilot.release().hold(Key::x).read().flight.held(FlightKey::rollLeft));
+    pilot.release().input.mouseButtons = {{platform::MouseButton::back, true}, {platform::MouseButton::back, false}};
+    EXPECT_TRUE(pilot.read().flight.held(FlightKey::rollLeft)) << "clicked within one frame";
+    EXPECT_FALSE(pilot.read().flight.held(FlightKey::rollLeft));
+    pilot.input.scrolled = {0.0, -1.0};
+    EXPECT_TRUE(pilot.read().flight.held(FlightKey::rollLeft));
+    pilot.release().input.joysticks = {{0, "stick", {}, {true, true, true}}, {1, "throttle", {}, {false, false, true}}};
+    EXPECT_TRUE(pilot.read().flight.held(FlightKey::rollLeft));
+    pilot.input.joysticks[1].buttons[2] = false;
+    EXPECT_FALSE(pilot.read().flight.held(FlightKey::rollLeft));
+}
+
+TEST(Joystick, FliesWithoutAnyMappingAndItsLeverActsWhenItMoves) {
+    Pilot pilot;
+    pilot.input.joysticks = {{3, "old stick", {0.0f, 1.0f, -1.0f, 1.0f}, {}}};
+    pilot.stick.begin(0.6);
+    flight::Controls const first = pilot.fly(0.1);
+    EXPECT_NEAR(first.elevator, 1.0, 1.0e-9) << "pulled: nose up";
+    EXPECT_NEAR(first.rudder, -1.0, 1.0e-9);
+    EXPECT_EQ(first.throttle, 0.6) << "the lever has not been touched";
+    pilot.input.joysticks[0].axes[3] = 0.995f;
+    EXPECT_EQ(pilot.fly(0.1).throttle, 0.6) << "a tremble";
+    pilot.input.joysticks[0].axes[3] = -0.5f;  // forward is negative
+    EXPECT_NEAR(pilot.fly(0.1).throttle, 0.75, 1.0e-6);
+    EXPECT_LT(pilot.hold(Key::s).fly(0.5).throttle, 0.6) << "keys act beside it";
+}
+
+TEST(Joystick, IsToldWhenItComesAndGoes) {
+    Pilot pilot;
+    pilot.read();
+    EXPECT_TRUE(pilot.devices.takeNews().empty());
+    pilot.pad().name = "Pad";
+    pilot.read();
+    EXPECT_EQ(pilot.devices.takeNews(), std::vector<std::string>{"Connected: Pad"});
+    pilot.release().input.joysticks = {{0, "Pedals", {}, {}}};
+    pilot.read();
+    EXPECT_EQ(pilot.devices.takeNews(), (std::vector<std::string>{"Connected: Pedals", "Unplugged: Pad"}));
+    pilot.read();
+    EXPECT_TRUE(pilot.devices.takeNews().empty());
+}
+
+TEST(Mouse, MovesTheStickAndLeavesItThereWhereThePlayerWantsThat) {
+    Pilot pilot;
+    pilot.input.mouseMoved = {90.0, 45.0};
+    EXPECT_FALSE(pilot.read().flight.mouse) << "not asked for";
+    pilot.mouse.flight = true;
+    pilot.input.mouseMoved = {90.0, 45.0};  // half and a quarter of a quarter of 720 pixels
+    flight::Controls const pulled = pilot.fly(0.1);
+    EXPECT_NEAR(pulled.aileron, 0.5, 1.0e-6);
+    EXPECT_NEAR(pulled.elevator, 0.25, 1.0e-6);
+    EXPECT_NEAR(pilot.fly(1.0).aileron, 0.5, 1.0e-6);
+    EXPECT_NEAR(pilot.hold(Key::a).fly(1.0).aileron, -1.0, 1.0e-6) << "keys go before";
+    pilot.release().input.mouseHeld[static_cast<std::size_t>(platform::MouseButton::right)] = true;
+    pilot.input.mouseMoved = {90.0, 0.0};
+    EXPECT_GT(pilot.read().camera.look.x, 0.0);
+    EXPECT_NEAR(pilot.release().fly(0.1).aileron, 0.5, 1.0e-6) << "it looked around";
+    pilot.input.mouseButtons = {{platform::MouseButton::middle, true}};
+    EXPECT_EQ(pilot.read().flight.mouse, MouseStick{}) << "centred";
 }
 
 TEST(Pad, SteersWithTheLeftStickAndTheTriggers) {
@@ -237,9 +335,9 @@ TEST(Pad, IsInHandFromItsFirstTouchToTheNextKey) {
     EXPECT_FALSE(pilot.devices.gamepadInHand()) << "a stick that does not quite return";
     pilot.push(PadAxis::leftX, 0.8f).read();
     EXPECT_TRUE(pilot.devices.gamepadInHand());
-    EXPECT_EQ(pilot.devices.firstPrompts().front().cap, "Left stick");
+    EXPECT_EQ(pilot.devices.firstPrompts(pilot.bindings).front().cap, "L-stick \u2190\u2192");
     pilot.release().hold(Key::a).read();
     EXPECT_FALSE(pilot.devices.gamepadInHand());
-    EXPECT_NE(pilot.devices.firstPrompts().front().cap, "Left stick");
+    EXPECT_NE(pilot.devices.firstPrompts(pilot.bindings).front().cap, "L-stick \u2190\u2192");
 }
 }  // namespace

@@ -46,9 +46,19 @@ TEST(Stick, CutsTheCentreOutOfAGamepadAndKeepsItsEnds) {
     sample.pad.pitch = 1.0f;
     EXPECT_EQ(stick.step(sample, {}).controls.aileron, 0.0);
     EXPECT_NEAR(stick.controls().elevator, 1.0, 1.0e-9);
-    InputSettings inverted;
-    inverted.invertPitch = true;
-    EXPECT_NEAR(stick.step(sample, inverted).controls.elevator, -1.0, 1.0e-9);
+}
+
+TEST(Stick, TakesDeadZoneAndCurveOfEachAxis) {
+    Stick stick;
+    InputSample sample;
+    sample.pad.roll = 0.6f, sample.pad.yaw = 0.6f, sample.pad.brakes = 0.6f;
+    InputSettings settings;
+    settings.rollDeadZone = 0.2, settings.rollCurve = 2.0;
+    settings.yawDeadZone = 0.0, settings.yawCurve = 1.0;
+    flight::Controls const controls = stick.step(sample, settings).controls;
+    EXPECT_NEAR(controls.aileron, 0.25, 1.0e-6);
+    EXPECT_NEAR(controls.rudder, 0.6, 1.0e-6);
+    EXPECT_NEAR(controls.brakes, 0.55 / 0.95, 1.0e-6);
 }
 
 TEST(Stick, MovesFlapsByNotchesAndDropsOnceAPress) {
@@ -93,7 +103,7 @@ TEST(InputFile, ActsFromTheTickAtOrAfterItsTimeAndKeepsEmptyCells) {
 
 TEST(InputFile, LeavesTheLeverWhereTheStartPutItUntilAThrottleIsNamed) {
     Stick stick;
-    stick.setThrottle(0.6);
+    stick.begin(0.6);
     stick.step(parseInputCsv(std::string{kHeader} + "0,,0.1,,,,,\n", "in.csv")[0].sample, {});
     EXPECT_EQ(stick.controls().throttle, 0.6);
 }

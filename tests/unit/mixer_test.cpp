@@ -100,6 +100,48 @@ bool playedSilently(char const* driver) {
     return mixer.silent();
 }
 
+TEST(Mix, LowersAnAircraftThatGoesAwayAndRaisesOneThatComes) {
+    AudioState comes = cruise(), goes = cruise();
+    comes.recession = -50.0, goes.recession = 50.0;
+    for (Loop loop : {Loop::engine, Loop::propeller}) {
+        float const near = of(mixFrom(cruise(), {}), loop).pitch;
+        EXPECT_NEAR(of(mixFrom(comes, {}), loop).pitch, near * 340.0f / 290.0f, 1.0e-5f);
+        EXPECT_NEAR(of(mixFrom(goes, {}), loop).pitch, near * 340.0f / 390.0f, 1.0e-5f);
+    }
+}
+
+TEST(Mix, BuffetsAsFarAsTheFlowHasLeftTheWing) {
+    AudioState state = cruise();
+    EXPECT_EQ(of(mixFrom(state, {}), Loop::buffet).gain, 0.0f);
+    state.separated = 0.2;
+    float const some = of(mixFrom(state, {}), Loop::buffet).gain;
+    EXPECT_GT(some, 0.05f);
+    state.separated = 0.6;
+    EXPECT_GT(of(mixFrom(state, {}), Loop::buffet).gain, some);
+    state.onGround = true;
+    EXPECT_EQ(of(mixFrom(state, {}), Loop::buffet).gain, 0.0f);
+}
+
+TEST(Mix, TellsClimbByATonePlayersAskFor) {
+    AudioState state = cruise();
+    AudioSettings asked;
+    asked.climb = 1.0;
+    state.climb = 2.0;
+    EXPECT_EQ(of(mixFrom(state, {}), Loop::climb).gain, 0.0f) << "not asked for";
+    LoopMix const two = of(mixFrom(state, asked), Loop::climb);
+    EXPECT_GT(two.gain, 0.1f);
+    state.climbBeat = 0.6;
+    EXPECT_EQ(of(mixFrom(state, asked), Loop::climb).gain, 0.0f) << "between two beats";
+    state.climbBeat = 1.2, state.climb = 5.0;
+    EXPECT_GT(of(mixFrom(state, asked), Loop::climb).pitch, two.pitch);
+    EXPECT_GT(climbBeats(5.0), climbBeats(2.0));
+    state.climbBeat = 0.6, state.climb = -4.0;
+    EXPECT_GT(of(mixFrom(state, asked), Loop::climb).gain, 0.1f) << "sink sounds on";
+    EXPECT_LT(of(mixFrom(state, asked), Loop::climb).pitch, 1.0f);
+    state.climb = 0.1;
+    EXPECT_EQ(of(mixFrom(state, asked), Loop::climb).gain, 0.0f);
+}
+
 TEST(MixerDeathTest, PlaysOnADeviceAndIsSilentWithoutOne) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process of its own: libraries here have threads
     EXPECT_EXIT(std::_Exit(playedSilently("none-such") ? 0 : 1), testing::ExitedWithCode(0), "");

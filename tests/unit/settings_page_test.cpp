@@ -34,6 +34,7 @@ core::SettingValue otherValue(core::Setting const& setting) {
     if (auto const* number = std::get_if<double>(&setting.initial))
         return *number == setting.max ? setting.min : setting.max;
     auto const& initial = std::get<std::string>(setting.initial);
+    if (setting.accepts) return std::string{setting.accepts("k") ? "k" : "pad.rightX"} == initial ? std::string{} : std::string{setting.accepts("k") ? "k" : "pad.rightX"};
     if (setting.words.empty()) return initial + "x";
     return std::string{setting.words.back() == initial ? setting.words.front() : setting.words.back()};
 }
@@ -69,7 +70,8 @@ TEST(SettingsTable, HasARowForEveryMember) {
     EXPECT_TRUE(everyMemberHasARow<app::ViewSettings>(app::viewFields));
     EXPECT_TRUE(everyMemberHasARow<ui::HudSettings>(ui::hudFields));
     EXPECT_TRUE(everyMemberHasARow<audio::AudioSettings>(audio::audioFields));
-    EXPECT_EQ(memberCount<Settings>(), 6u) << "a new group needs its lines here and in settingList";
+    EXPECT_TRUE(everyMemberHasARow<ui::MouseSettings>(ui::mouseFields));
+    EXPECT_EQ(memberCount<Settings>(), 8u) << "a new group needs its lines here and in settingList";
     EXPECT_EQ(memberCount<app::FlightSettings>(), 4u) << "and in appendFlightSettings";
 }
 
