@@ -2,19 +2,15 @@
 // windscreen, and acts through the input layer 20 times a second.
 #pragma once
 #include "engine/core/environment.h"
-#include "engine/core/frames.h"
-#include "game/ui/hud.h"
-#include "game/ui/input.h"
+#include "game/bot/pilot.h"
 
 namespace luftpost::bot {
-inline constexpr int kTicksPerDecision = core::kTicksPerSecond / 20;
 
-class Courier {
+class Courier : public Pilot {
 public:
     explicit Courier(core::GroundFunction ground);
 
-    /// What the hands do until the next decision.
-    ui::InputSample decide(ui::HudState const& hud);
+    ui::InputSample decide(ui::HudState const& hud) override;
 
 private:
     struct Aim {

@@ -1,0 +1,119 @@
+// Test cards: each flies one manoeuvre closed-loop through the input layer and measures it, as a test pilot with a
+// recorder on board does: looks every tick, moves the hands 20 times a second.
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "engine/flight/airframe.h"
+#include "game/bot/manoeuvre.h"
+#include "game/bot/pilot.h"
+#include "game/bot/test_pilot.h"
+
+namespace luftpost::bot {
+/// Of `--bot card:NAME`.
+std::span<std::string_view const> cardNames();
+
+/// Where cards are flown.
+struct CardGround {
+    glm::dvec2 thresholdEastNorth{0.0};  // the runway begins here ...
+    double heading = 0.0;                // ... and goes this way, rad clockwise from north
+    double altitude = 0.0;               // m above sea level, of the runway
+    double clear = 30.0;   // m above sea level: nothing within 6 km of the runway reaches up to it
+    double clearFar = 100.0;  // the same within 40 km
+};
+/// How a card begins; wings level and trimmed, or at rest on the runway's threshold.
+struct CardStart {
+    bool runway = false;
+    glm::dvec2 eastNorth{0.0};
+    double altitude = 0.0;  // m above sea level
+    double tas = 0.0;       // m/s
+    double heading = 0.0;   // rad clockwise from north
+};
+
+class Card : public Pilot {
+public:
+    /// `name` is one of cardNames().
+    Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground);
+    Card(Card const&) = delete;
+    Card& operator=(Card const&) = delete;
+
+    CardStart const& start() const { return start_; }
+    /// m/s, from the runway's right: what the card needs, and all the wind that it needs.
+    double crosswind() const { return name_ == "crosswind" ? kCrosswind_kt * core::kMetresPerSecondPerKnot : 0.0; }
+    std::string const& name() const { return name_; }
+
+    void look(flight::AircraftState const& state) override;
+    ui::InputSample decide(ui::HudState const&) override;
+    flight::Controls const& hands() const { return pilot_.stick; }
+    Figures const* figures() const override { return &figures_; }
+    bool finished() const override { return finished_; }
+
+private:
+    struct Path {
+        double climb_mps = 0.0, run_m = 0.0;
+    };
+    static constexpr double kPathSeconds = 40.0, kCrosswind_kt = 15.0;
+
+    // Where the runway's line and the air work are.
+    CardStart startOnRunway() const;
+    CardStart startInAir(double altitude, double stalls) const;
+    CardStart startOnFinal() const;
+    double along() const;
+    double across() const;
+    double drift() const;
+    double stalls(double share) const;  // m/s, so many times the stall's speed in whole knots
+    void put(std::string key, double value) { figures_.emplace_back(std::move(key), value); }
+    flight::Readings const& now() const { return pilot_.now(); }
+    Turn::NextTick nextTick() { return turn_.nextTick(); }
+
+    Manoeuvre stall();
+    Manoeuvre glide();
+    Manoeuvre climb();
+    Manoeuvre level();
+    Manoeuvre ceiling();
+    Manoeuvre takeOff();
+    Manoeuvre landing();
+    Manoeuvre phugoid();
+    Manoeuvre shortPeriod();
+    Manoeuvre dutchRoll();
+    Manoeuvre roll();
+    Manoeuvre spiral();
+    Manoeuvre trim();
+    Manoeuvre afterwards();
+    // What several of them do.
+    Manoeuvre slowDown(std::string key);
+    Manoeuvre turnBack(double cas);
+    Manoeuvre descend(double altitude);
+    Manoeuvre flyPath(double cas);
+    Manoeuvre flyLevel(double cas, double seconds);
+    Manoeuvre fullAileron();
+    Manoeuvre leaveToItself();
+
+    struct Row {
+        std::string_view name;
+        CardStart (*start)(Card const&);
+        Manoeuvre (Card::*fly)();
+    };
+    static Row const& row(std::string_view name);
+    friend std::span<std::string_view const> cardNames();
+    static std::span<Row const> rows();
+
+    std::string name_;
+    double stall_kt_;  // of the airframe's marks
+    CardGround ground_;
+    CardStart start_;
+    TestPilot pilot_;
+    Turn turn_;
+    Manoeuvre manoeuvre_;
+    Manoeuvre after_;
+    Figures figures_;
+    bool began_ = false, finished_ = false;
+
+    double course_ = 0.0;        // rad, of the air work
+    double altitude_ = 0.0;      // m, of the air work
+    Path path_;                  // of the latest flyPath
+    flight::Controls handsOff_;  // what the latest flyLevel held: the trim
+    double alpha_ = 0.0;         // rad, mean of the latest flyLevel
+    double measured_ = 0.0, constant_ = 0.0;  // of the latest fullAileron or leaveToItself
+};
+}  // namespace luftpost::bot
