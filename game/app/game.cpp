@@ -76,7 +76,7 @@ void Game::readDevices(FrameStep const& step) {
     reading_ = devices_.read(*input_, screen_.wantsText(), screen_.wantsPointer(), step.wall);
     obey(reading_);
     if (surface_.closeRequested()) quit_ = true;
-    if (plan_.courier || reading_.flight == sample_) return;
+    if (!plan_.bot.empty() || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
 }

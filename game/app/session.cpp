@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/platform/paths.h"
+#include "game/app/bots.h"
 #include "game/app/instruments.h"
 
 namespace luftpost::app {
@@ -29,7 +30,8 @@ Session::Session(SessionOptions options)
                           "expected the recording of the replay, sha256 " + options_.plan.weatherSha256 +
                               ", found " + found};
     loadScriptedWeather(world_, options_.script);
-    if (options_.courier) courier_.emplace(world_.ground());
+    if (!options_.bot.empty())
+        pilot_ = makePilot(options_.bot, world_, simulation_.aircraft().airframe(), options_.plan.simulation.time);
     keepRow();
     if (options_.weather) flown_.begin(world_.field(), simulation_.utc());
 }
@@ -65,14 +67,15 @@ std::optional<std::string> Session::enterOffered() {
 void Session::tick() {
     while (scriptDone_ < options_.script.size() && options_.script[scriptDone_].tick <= simulation_.tick())
         input(options_.script[scriptDone_++].what);
-    if (courier_ && simulation_.tick() % bot::kTicksPerDecision == 0) askCourier();
+    if (pilot_) pilot_->look(simulation_.aircraft().state());
+    if (pilot_ && simulation_.tick() % bot::kTicksPerDecision == 0) askPilot();
     simulation_.step();
     keepRow();
     if (simulation_.tick() % core::kTicksPerSecond == 0) hashes_.push_back(simulation_.stateHash());
 }
 
-void Session::askCourier() {
-    ui::InputSample const sample = courier_->decide(instruments(simulation_));
+void Session::askPilot() {
+    ui::InputSample const sample = pilot_->decide(instruments(simulation_));
     if (sample == sample_) return;
     sample_ = sample;
     input(sample);
@@ -92,6 +95,7 @@ FlightReport Session::report() const {
     report.crashes = simulation_.crashes();
     report.drops = delivery.drops();
     report.stateHashes = hashes_;
+    if (pilot_ && pilot_->figures()) report.card = CardReport{options_.bot, pilot_->finished(), *pilot_->figures()};
     return report;
 }
 }  // namespace luftpost::app

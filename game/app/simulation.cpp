@@ -9,6 +9,7 @@
 #include "engine/core/check.h"
 #include "engine/core/error.h"
 #include "engine/core/math.h"
+#include "game/app/runway_start.h"
 #include "game/app/state_hash.h"
 
 namespace luftpost::app {
@@ -18,25 +19,14 @@ constexpr double kFuelThatFlies = 5.0;    // kg; with less, a respawn fills up
 
 glm::dvec2 directionEastNorth(double heading) { return {core::sin(heading), core::cos(heading)}; }
 
-/// The airfield's end from which a take-off goes into the wind, and the heading there.
-struct RunwayStart {
-    glm::dvec2 eastNorth{0.0};
-    double heading = 0.0;
-};
-RunwayStart runwayStart(World const& world, core::UtcSeconds time) {
-    terrain::Runway const& runway = world.land().runway();
-    glm::dvec2 const wind = world.field().at(0.0, 0.0, time).windSurface;
-    bool const reversed = wind.x * runway.directionEastNorth.x + wind.y * runway.directionEastNorth.y > 0.0;
-    // A length of the aircraft inside the threshold, so that every wheel stands on the strip.
-    glm::dvec2 const along = runway.directionEastNorth * (reversed ? -1.0 : 1.0);
-    return {runway.threshold(reversed) + along * 10.0, runway.heading + (reversed ? core::kPi : 0.0)};
+RunwayStart runwayStart(World const& world, SimulationOptions const& options) {
+    return app::runwayStart(world.land(), world.field(), options.time);
 }
-
 glm::dvec2 startEastNorth(World const& world, SimulationOptions const& options) {
-    return options.start.runway ? runwayStart(world, options.time).eastNorth : glm::dvec2{0.0};
+    return options.start.runway ? runwayStart(world, options).eastNorth : options.start.eastNorth;
 }
 double startHeading(World const& world, SimulationOptions const& options) {
-    return options.start.runway ? runwayStart(world, options.time).heading : options.start.heading;
+    return options.start.runway ? runwayStart(world, options).heading : options.start.heading;
 }
 }  // namespace
 
@@ -57,18 +47,19 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
 void Simulation::startFlight(SimulationOptions const& options) {
     core::AirFunction const air = airAtAnyTime();
     if (options.start.runway) {
-        RunwayStart const start = runwayStart(world_, options.time);
+        RunwayStart const start = runwayStart(world_, options);
         aircraft_.startOnRunway(start.eastNorth.x, start.eastNorth.y, start.heading, air, world_.ground(),
                                 options.time);
         return;
     }
-    double const ground = world_.ground()(0.0, 0.0).height;
+    glm::dvec2 const place = options.start.eastNorth;
+    double const ground = world_.ground()(place.x, place.y).height;
     if (!(options.start.altitude > ground))
         throw core::Error{"--start", "",
                           fmt::format("expected an altitude above the ground, {:.0f} m, found {}", ground,
                                       options.start.altitude)};
-    aircraft_.startInAir({0.0, options.start.altitude, 0.0}, options.start.heading, options.start.tas, air,
-                         world_.ground(), options.time);
+    aircraft_.startInAir(core::worldFromEastNorth(place.x, place.y, options.start.altitude),
+                         options.start.heading, options.start.tas, air, world_.ground(), options.time);
 }
 
 void Simulation::apply(FlightInput const& input) {

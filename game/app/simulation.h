@@ -18,6 +18,7 @@ struct FlightStart {
     double altitude = 0.0;  // m above sea level
     double tas = 50.0;      // m/s relative to the local air
     double heading = 0.0;   // clockwise from true north
+    glm::dvec2 eastNorth{0.0};  // m from the origin, in the air
 };
 
 struct SimulationOptions {

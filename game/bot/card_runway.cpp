@@ -63,8 +63,10 @@ Manoeuvre Card::landing() {
         } else {
             pilot_.holdPath((-0.3 - 0.3 * now().height) / now().tas);
         }
-        if (overObstacle == 0.0 && now().height < kObstacle) overObstacle = along();
-        wind = -dot(eastNorth(now().windWorld), right(direction(ground_.heading)));
+        if (overObstacle == 0.0 && now().height < kObstacle) {
+            overObstacle = along();
+            wind = -dot(eastNorth(now().windWorld), right(direction(ground_.heading)));
+        }
         co_await nextTick();
     }
     double const touched = along(), speed = pilot_.state().touchdownSpeed;

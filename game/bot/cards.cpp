@@ -119,10 +119,16 @@ double Card::stalls(double share) const { return fromKnots(std::floor(share * st
 
 /// What is left of the flight: stopped on the runway, or round and round where nothing is in the way.
 Manoeuvre Card::afterwards() {
-    double const altitude = std::max(pilot_.state().positionWorld.y, ground_.clear);
     bool const landed = now().onGround;
     pilot_.takeOver();
-    pilot_.stick.flaps = 0.0;
+    for (double t = 0.0; t < 20.0 && !landed; t += core::kTickSeconds, co_await nextTick()) {  // out of a stall, too
+        pilot_.stick.throttle = 1.0;
+        pilot_.stick.flaps = 0.0;
+        pilot_.holdSpeed(stalls(1.45));
+        pilot_.holdWings();
+    }
+    double const altitude = std::max(pilot_.state().positionWorld.y, ground_.clear);
+    pilot_.takeOver();
     for (;; co_await nextTick()) {
         if (landed) {
             pilot_.stick = flight::Controls{.brakes = 1.0};

@@ -32,14 +32,14 @@ struct CardStart {
 
 class Card : public Pilot {
 public:
+    static constexpr double kCrosswind_kt = 15.0;  // from the runway's right: what the card of this name needs
+
     /// `name` is one of cardNames().
     Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground);
     Card(Card const&) = delete;
     Card& operator=(Card const&) = delete;
 
     CardStart const& start() const { return start_; }
-    /// m/s, from the runway's right: what the card needs, and all the wind that it needs.
-    double crosswind() const { return name_ == "crosswind" ? kCrosswind_kt * core::kMetresPerSecondPerKnot : 0.0; }
     std::string const& name() const { return name_; }
 
     void look(flight::AircraftState const& state) override;
@@ -52,7 +52,7 @@ private:
     struct Path {
         double climb_mps = 0.0, run_m = 0.0;
     };
-    static constexpr double kPathSeconds = 40.0, kCrosswind_kt = 15.0;
+    static constexpr double kPathSeconds = 40.0;
 
     // Where the runway's line and the air work are.
     CardStart startOnRunway() const;
