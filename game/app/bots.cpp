@@ -20,8 +20,10 @@ constexpr char const* kCardWeather = "preset:calm";
 constexpr core::Place kCardPlace{47.541, 7.584, 0.0};  // of the presets, at sea level
 constexpr double kWindFrom = core::radians(80.0);      // off the runway: a little from ahead, so that its end is certain
 
-bool isCard(std::string_view bot) { return bot.starts_with(kCard); }
-std::string_view cardName(std::string_view bot) { return bot.substr(kCard.size()); }
+bool isTestCard(std::string_view bot) { return bot.starts_with(kCard); }
+/// Flown by a test pilot with the bare aircraft.
+bool isCard(std::string_view bot) { return isTestCard(bot) || bot == bot::kCircuit; }
+std::string_view cardName(std::string_view bot) { return isTestCard(bot) ? bot.substr(kCard.size()) : bot; }
 
 /// The highest ground within `reach` of the airfield, m above sea level.
 double highestWithin(terrain::Land const& land, double reach) {
@@ -68,9 +70,9 @@ void checkBot(PlayTexts const& texts, CommonOptions const& common) {
     std::string const& bot = texts.bot;
     if (bot.empty() || bot == "courier") return;
     if (!isCard(bot))
-        throw core::Error{"--bot", "", fmt::format("expected courier or card:NAME, found {}", bot)};
+        throw core::Error{"--bot", "", fmt::format("expected courier, circuit or card:NAME, found {}", bot)};
     auto const names = bot::cardNames();
-    if (std::find(names.begin(), names.end(), cardName(bot)) == names.end())
+    if (isTestCard(bot) && std::find(names.begin(), names.end(), cardName(bot)) == names.end())
         throw core::Error{"--bot", "",
                           fmt::format("expected card: and one of {}, found {}", fmt::join(names, ", "), bot)};
     if (!texts.start.empty())
@@ -85,7 +87,7 @@ void checkBot(PlayTexts const& texts, CommonOptions const& common) {
 WeatherInput prepareForBot(std::string const& name, CommonOptions& common) {
     if (!isCard(name)) return {};
     common.settings.flight.pilot.assist = flight::AssistLevel::sim;
-    if (!common.weather.empty()) return {};
+    if (!isTestCard(name) || !common.weather.empty()) return {};
     common.weather = kCardWeather;
     if (!common.place) common.place = PlaceOption{kCardPlace.lat_deg, kCardPlace.lon_deg, kCardPlace.altitude_m};
     if (name != "card:crosswind") return {};

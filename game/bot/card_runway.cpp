@@ -65,7 +65,7 @@ Manoeuvre Card::landing() {
         }
         if (overObstacle == 0.0 && now().height < kObstacle) {
             overObstacle = along();
-            wind = -dot(eastNorth(now().windWorld), right(direction(ground_.heading)));
+            wind = windAcross();
         }
         co_await nextTick();
     }

@@ -66,14 +66,16 @@ std::span<Card::Row const> Card::rows() {
         {"trim",
          [](Card const& c) { return c.startInAir(std::max(kModesAltitude, c.ground_.clear), kSlow); },
          &Card::trim},
-        {"crosswind", [](Card const& c) { return c.startOnFinal(); }, &Card::landing}};
+        {"crosswind", [](Card const& c) { return c.startOnFinal(); }, &Card::landing},
+        {kCircuit, [](Card const& c) { return c.startOnRunway(); }, &Card::circuit}};
     return all;
 }
 
 std::span<std::string_view const> cardNames() {
     static std::vector<std::string_view> const names = [] {
         std::vector<std::string_view> all;
-        for (Card::Row const& row : Card::rows()) all.push_back(row.name);
+        for (Card::Row const& row : Card::rows())
+            if (row.name != kCircuit) all.push_back(row.name);
         return all;
     }();
     return names;
@@ -100,8 +102,11 @@ void Card::look(flight::AircraftState const& state) {
     pilot_.look(state);
     if (!began_) turn_.begin(manoeuvre_);
     began_ = true;
-    if (!finished_ && (manoeuvre_.done() || state.crashed())) {
-        finished_ = true;
+    bool const crashed = state.crashed() || state.tick < tick_;  // or has begun anew since
+    tick_ = state.tick;
+    if (!over_ && (manoeuvre_.done() || crashed)) {
+        over_ = true;
+        finished_ = manoeuvre_.done();
         turn_.begin(after_);
     }
     turn_.goOn();

@@ -10,6 +10,8 @@
 #include "game/bot/test_pilot.h"
 
 namespace luftpost::bot {
+/// What a card is called that is none of the test cards: `--bot circuit`.
+inline constexpr std::string_view kCircuit = "circuit";
 /// Of `--bot card:NAME`.
 std::span<std::string_view const> cardNames();
 
@@ -34,7 +36,7 @@ class Card : public Pilot {
 public:
     static constexpr double kCrosswind_kt = 15.0;  // from the runway's right: what the card of this name needs
 
-    /// `name` is one of cardNames().
+    /// `name` is one of cardNames() or kCircuit.
     Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground);
     Card(Card const&) = delete;
     Card& operator=(Card const&) = delete;
@@ -61,6 +63,7 @@ private:
     double along() const;
     double across() const;
     double drift() const;
+    double windAcross() const;  // m/s from the right
     double stalls(double share) const;  // m/s, so many times the stall's speed in whole knots
     void put(std::string key, double value) { figures_.emplace_back(std::move(key), value); }
     flight::Readings const& now() const { return pilot_.now(); }
@@ -79,6 +82,7 @@ private:
     Manoeuvre roll();
     Manoeuvre spiral();
     Manoeuvre trim();
+    Manoeuvre circuit();
     Manoeuvre afterwards();
     // What several of them do.
     Manoeuvre slowDown(std::string key);
@@ -88,6 +92,14 @@ private:
     Manoeuvre flyLevel(double cas, double seconds);
     Manoeuvre fullAileron();
     Manoeuvre leaveToItself();
+    Manoeuvre leaveRunway();
+    Manoeuvre flyRound();
+    Manoeuvre flyFinal();
+    Manoeuvre touchDown();
+    void rollAlong();
+    void flare();
+    void followLine(double course, double aside);
+    double slopeHeight() const;
 
     struct Row {
         std::string_view name;
@@ -107,7 +119,8 @@ private:
     Manoeuvre manoeuvre_;
     Manoeuvre after_;
     Figures figures_;
-    bool began_ = false, finished_ = false;
+    bool began_ = false, over_ = false, finished_ = false;
+    long long tick_ = -1;  // of the latest look
 
     double course_ = 0.0;        // rad, of the air work
     double altitude_ = 0.0;      // m, of the air work

@@ -69,8 +69,8 @@ void TestPilot::holdPath(double angle) {
     holdPitch(std::clamp(alpha_ + angle + 0.9 * (angle - path), -0.2, 0.25));
 }
 
-void TestPilot::holdAltitude(double altitude) {
-    holdClimb(std::clamp(0.3 * (altitude - state().positionWorld.y), -4.0, 4.0));
+void TestPilot::holdAltitude(double altitude, double most) {
+    holdClimb(std::clamp(0.3 * (altitude - state().positionWorld.y), -most, most));
 }
 
 void TestPilot::holdWings(double bank) {
@@ -81,6 +81,12 @@ void TestPilot::holdWings(double bank) {
 
 void TestPilot::holdHeading(double heading) {
     holdWings(std::clamp(1.2 * turnBetween(now().heading, heading), -kSteepestTurn, kSteepestTurn));
+}
+
+void TestPilot::holdTrack(double course) {
+    glm::dvec3 const& v = state().velocityWorld;
+    double const track = core::atan2(v.x, -v.z);
+    holdWings(std::clamp(1.2 * turnBetween(track, course), -kSteepestTurn, kSteepestTurn));
 }
 
 void TestPilot::steerAlong(double heading, double across) {

@@ -24,11 +24,13 @@ public:
     void holdClimb(double climb);
     /// rad, the path's angle through still air: the pitch that it needs at the angle of attack of the moment.
     void holdPath(double angle);
-    /// m above sea level, by pitch.
-    void holdAltitude(double altitude);
+    /// m above sea level, by pitch, with at most so many m/s up or down.
+    void holdAltitude(double altitude, double most = 4.0);
     void holdWings(double bank = 0.0);
     /// rad clockwise from north, by bank.
     void holdHeading(double heading);
+    /// rad clockwise from north, of the way over the ground, by bank.
+    void holdTrack(double course);
     /// On the ground, along a line: `across` m to its right, `heading` rad.
     void steerAlong(double heading, double across);
     /// Wing low: the bank keeps the line, the rudder the heading.

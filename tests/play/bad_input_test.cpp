@@ -75,7 +75,7 @@ TEST(BadInput, IsFoundInEveryOption) {
     expectRefused(kFly + "--fuel lots", {"--fuel", "lots"});
     expectRefused(kFly + "--workers 0", {"--workers"});
     expectRefused(kFly + "--frame-rate 0", {"--frame-rate"});
-    expectRefused(kFly + "--bot ace", {"--bot", "courier", "card:NAME", "ace"});
+    expectRefused(kFly + "--bot ace", {"--bot", "courier", "circuit", "card:NAME", "ace"});
     expectRefused(kFly + "--bot card:loop", {"--bot", "stall, glide, climb", "crosswind", "card:loop"});
     expectRefused(kFly + "--seed -1", {"--seed"});
     expectRefused(kFly + "--seed 1.5", {"--seed"});

@@ -31,7 +31,7 @@ inline FlownCard flownCard(std::string const& name, TestFlight& flight, double l
     flight.fly(3600.0, [&](double) {
         card.look(flight.state());
         if (flight.state().tick % bot::kTicksPerDecision == 0) flight.stick = card.hands();
-        return !card.finished();
+        return !card.finished() && !flight.state().crashed();
     });
     return {{card.figures()->begin(), card.figures()->end()}, card.finished(), flight.state().crashed()};
 }
