@@ -10,7 +10,7 @@ namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kFoot = core::kMetresPerFoot;
 constexpr double kObstacle = 50.0 * kFoot;  // m
-constexpr double kFlareHeight = 9.0;        // m
+constexpr double kFlareSeconds = 2.3;       // of the sink that there is, above the ground
 
 glm::dvec2 direction(double heading) { return {core::sin(heading), core::cos(heading)}; }
 double dot(glm::dvec2 a, glm::dvec2 b) { return a.x * b.x + a.y * b.y; }
@@ -44,24 +44,26 @@ Manoeuvre Card::takeOff() {
     put("takeoff_roll_ft", roll / kFoot);
     put("takeoff_over_50_ft", (along() - from) / kFoot);
     put("takeoff_off_m", off);
-    for (double t = 0.0; t < 60.0; t += kTick, co_await nextTick()) {  // up to where one may circle
-        pilot_.holdSpeed(stalls(1.45));
+    for (; now().height < 150.0; co_await nextTick()) {  // up to where one may circle
+        pilot_.holdPitch(0.12);
         pilot_.holdHeading(ground_.heading);
-        pilot_.stick.flaps = 0.0;
+        if (now().height > 60.0) pilot_.stick.flaps = 0.0;
     }
 }
 
 /// Power off, full flap, wing low into the wind; a flare, and the brakes.
 Manoeuvre Card::landing() {
     double overObstacle = 0.0, wind = 0.0;
+    bool flares = false;
     pilot_.stick.throttle = 0.0;
     pilot_.stick.flaps = 1.0;
     while (pilot_.state().touchdownTick < 0) {
         pilot_.slipAlong(ground_.heading, across(), drift());
-        if (now().height > kFlareHeight) {
+        flares = flares || now().height < -kFlareSeconds * now().climb;
+        if (!flares) {
             pilot_.holdSpeed(stalls(1.235));
         } else {
-            pilot_.holdPath((-0.3 - 0.3 * now().height) / now().tas);
+            pilot_.holdPath((-0.2 - 0.3 * now().height) / now().tas);
         }
         if (overObstacle == 0.0 && now().height < kObstacle) {
             overObstacle = along();

@@ -39,8 +39,8 @@ CardStart Card::startOnFinal() const {
 
 std::span<Card::Row const> Card::rows() {
     static Row const all[]{
-        {"stall", [](Card const& c) { return c.startInAir(c.ground_.clear + 450.0, 1.27); }, &Card::stall},
-        {"glide", [](Card const& c) { return c.startInAir(c.ground_.clear + 2800.0, kSlow); }, &Card::glide},
+        {"stall", [](Card const& c) { return c.startInAir(c.ground_.clear + 700.0, 1.27); }, &Card::stall},
+        {"glide", [](Card const& c) { return c.startInAir(c.ground_.clear + 3600.0, kSlow); }, &Card::glide},
         {"climb", [](Card const& c) { return c.startInAir(c.ground_.clear, 1.45); }, &Card::climb},
         {"level", [](Card const& c) { return c.startInAir(c.ground_.clear, 2.25); }, &Card::level},
         {"ceiling",

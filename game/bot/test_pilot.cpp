@@ -66,7 +66,7 @@ void TestPilot::holdClimb(double climb) {
 
 void TestPilot::holdPath(double angle) {
     double const path = now().climb / std::max(now().tas, 15.0);
-    holdPitch(std::clamp(alpha_ + angle + 0.9 * (angle - path), -0.2, 0.25));
+    holdPitch(std::clamp(alpha_ + angle + 1.3 * (angle - path), -0.2, 0.25));
 }
 
 void TestPilot::holdAltitude(double altitude, double most) {

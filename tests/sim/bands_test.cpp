@@ -160,6 +160,50 @@ TEST(Bands, LevelTrimHasThePublishedAnglesOfAttack) {
                 {"trim_120_kcas_alpha_deg", "level trim at 120 kt, alpha, deg", "-0.1", -2.6, 2.4}});
 }
 
+/// The freight plane at its gross weight, 1633 kg. Performance: Cessna U206G, published figures; motion: level 1 of MIL-F-8785C
+/// for a light aircraft.
+FlownCard freightCard(std::string const& name, double windFromRight_kt = 0.0) {
+    TestFlight flight{512.0, 150.0, "freight_plane"};
+    flight.wind = {-fromKnots(windFromRight_kt), 0.0, 0.0};
+    return flownCard(name, flight);
+}
+
+TEST(FreightBands, ItsSpeedsAreAsPublished) {
+    expectCard(freightCard("stall"), {{"stall_clean_kcas", "stall, power off, clean, KCAS", "62", 57, 67},
+                                      {"stall_full_flap_kcas", "stall, power off, full flap, KCAS", "54", 49, 59}});
+    expectCard(freightCard("level"), {{"level_kcas", "level speed at sea level, kt", "156", 148, 163}});
+}
+
+TEST(FreightBands, ItClimbsAndGlidesAsPublished) {
+    expectCard(freightCard("glide"), {{"glide_ratio", "best glide, ratio", "9.1", 8.5, 10.5, 2}});
+    expectCard(freightCard("climb"), {{"climb_fpm", "climb at sea level, ft/min", "920", 770, 1080, 0},
+                                      {"climb_kcas", "best climb, KCAS", "84", 76, 92, 0}});
+    expectCard(freightCard("ceiling"), {{"ceiling_ft", "service ceiling, ft", "14,800", 13000, 16500, 0}});
+}
+
+TEST(FreightBands, ItTakesOffAndLandsInThePublishedDistances) {
+    expectCard(freightCard("takeoff"), {{"takeoff_roll_ft", "take-off roll, ft", "900", 570, 1140, 0},
+                                        {"takeoff_over_50_ft", "take-off over 50 ft, ft", "1780", 1160, 2320, 0}});
+    expectCard(freightCard("landing"), {{"landing_roll_ft", "landing roll, ft", "735", 530, 1200, 0},
+                                        {"landing_over_50_ft", "landing over 50 ft, ft", "1395", 970, 2150, 0},
+                                        {"touchdown_mps", "touchdown, m/s", "(freight breaks at 1.6)", 0.05, 1.6, 2}});
+    expectCard(freightCard("crosswind", 15.0),
+               {{"landing_off_m", "landing, 15 kt across, off the line, m", "lands", 0, 12},
+                {"touchdown_mps", "landing, 15 kt across, touchdown, m/s", "lands", 0.05, 2, 2}});
+}
+
+TEST(FreightBands, ItMovesAsALightAircraftShould) {
+    expectCard(freightCard("phugoid"), {{"phugoid_damping", "phugoid, damping", "> 0.04", 0.04, 0.3, 3}});
+    expectCard(freightCard("shortperiod"), {{"short_period_damping", "short period, damping", "0.35 .. 1.3", 0.35, 1.3, 2}});
+    expectCard(freightCard("dutchroll"), {{"dutch_roll_damping", "Dutch roll, damping", "> 0.08", 0.08, 0.5, 2}});
+    expectCard(freightCard("roll"), {{"roll_cruise_dps", "roll, full aileron at 122 kt, deg/s", "(mail plane 65)", 45, 95},
+                                     {"roll_time_constant_s", "roll, time constant, s", "< 1", 0.02, 1.0, 2}});
+    FlownCard const spiral = expectCard(freightCard("spiral"), {});
+    double const slow = spiral.at("spiral_slow_doubling_s");
+    fmt::print("| spiral at 73 kt, s to double (negative: halve) | {:.0f} | > 12 | slower than 12 either way |\n", slow);
+    EXPECT_GT(std::abs(slow), 12.0);
+}
+
 TEST(Bands, TurbulenceIsFeltAsPublished) {
     expectIn({"", "Dryden, W20 25 ft/s, load factor rms, g", "0.076", 0.05, 0.1, 3}, gustLoad_g(25.0));
     expectIn({"", "Dryden, W20 50 ft/s, load factor rms, g", "0.151", 0.1, 0.2, 3}, gustLoad_g(50.0));
