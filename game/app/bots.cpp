@@ -62,7 +62,7 @@ bot::CardGround cardGround(terrain::Land const& land, weather::Field const& fiel
 
 std::unique_ptr<bot::Pilot> makePilot(std::string const& name, World const& world,
                                       flight::Airframe const& airframe, core::UtcSeconds time) {
-    if (name == "courier") return std::make_unique<bot::Courier>(world.ground());
+    if (name == "courier") return std::make_unique<bot::Courier>(world.ground(), airframe.stallSpeed);
     return std::make_unique<bot::Card>(cardName(name), airframe, cardGround(world.land(), world.field(), time));
 }
 

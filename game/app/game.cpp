@@ -219,6 +219,7 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
+    if (std::string text = simulation.autopilotText(); !text.empty()) hud.messages.push_back({std::move(text), ui::MessageKind::info, 0.0});
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();
     return hud;

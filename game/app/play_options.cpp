@@ -149,11 +149,12 @@ FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common, Weath
     SimulationOptions& simulation = plan.simulation;
     simulation.seed = common.seed.value_or(1);
     simulation.start = startOption(texts.start, plan.place.altitude_m);
-    flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(kAirframeFile));
+    simulation.settings = common.settings.flight;
+    Hangar const hangar = loadHangar();
+    flight::Airframe const& airframe = chosen(hangar, simulation.settings.pilot.airframe);
     if (!texts.payload.empty())
         simulation.payload = numberOption("--payload", texts.payload, 0.0, airframe.payloadMax);
     if (!texts.fuel.empty()) simulation.fuel = numberOption("--fuel", texts.fuel, 0.0, airframe.fuelMax);
-    simulation.settings = common.settings.flight;
     planStartForBot(texts.bot, field, airframe, plan);
     return plan;
 }
@@ -227,7 +228,7 @@ PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& te
     refuseAnotherFlight(common);
     options.run.headless = true;
     options.run.noRender = options.run.noRender || texts.screenshot.empty();
-    Replay replay = readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
+    Replay replay = readReplay(file, loadHangar());
     options.run.ticks = replay.ticks;
     options.run.settings.flight = replay.plan.simulation.settings;
     options.session.plan = std::move(replay.plan);

@@ -192,7 +192,7 @@ FlightInput inputFrom(Part const& part) {
     return sampleFrom(part);
 }
 
-FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
+FlightPlan planFrom(Part const& part, Hangar const& hangar) {
     FlightPlan plan;
     plan.weather = weatherFrom(part["weather"]);
     plan.weatherSha256 = part["weather_sha256"].text();
@@ -213,8 +213,6 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
         auto const metres = [&](std::size_t i) { return origin.at(i).number(-kFarthestStart, kFarthestStart); };
         s.start.eastNorth = {metres(0), metres(1)};
     }
-    s.payload = part["payload_kg"].number(0.0, airframe.payloadMax);
-    s.fuel = part["fuel_kg"].number(0.0, airframe.fuelMax);
     core::SettingList list;
     appendFlightSettings(list, s.settings);
     Part const settings = part["settings"];
@@ -222,6 +220,9 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
         SettingInput const change = settingFrom(key, settings[key.c_str()]);
         core::findSetting(list, key)->set(change.value);
     }
+    flight::Airframe const& airframe = chosen(hangar, s.settings.pilot.airframe);
+    s.payload = part["payload_kg"].number(0.0, airframe.payloadMax);
+    s.fuel = part["fuel_kg"].number(0.0, airframe.fuelMax);
     return plan;
 }
 }  // namespace
@@ -239,14 +240,14 @@ std::string replayText(Replay const& replay) {
     return text + "\n]}\n";
 }
 
-Replay readReplay(std::filesystem::path const& file, flight::Airframe const& airframe) {
+Replay readReplay(std::filesystem::path const& file, Hangar const& hangar) {
     std::string const name = file.string();
     std::string const bytes = core::readFile(file);
     Json const json = Json::parse(bytes, nullptr, false);
     if (!json.is_object() || json.value("format", Json{}) != kFormat)
         throw core::Error{name, "format", fmt::format("expected a {} file", kFormat)};
     Part const whole{json, name, ""};
-    Replay replay{planFrom(whole["plan"], airframe), whole["ticks"].whole(0, kMostTicks), {}};
+    Replay replay{planFrom(whole["plan"], hangar), whole["ticks"].whole(0, kMostTicks), {}};
     Part const inputs = whole["inputs"];
     inputs.list(inputs.json.size());
     long long before = 0;

@@ -22,7 +22,7 @@ void loadScriptedWeather(World& world, std::vector<StampedInput> const& script) 
 Session::Session(SessionOptions options)
     : options_{std::move(options)},
       world_{options_.plan.weather, options_.plan.place, options_.plan.simulation.seed, options_.plan.weatherLatest},
-      simulation_{world_, flight::loadAirframe(platform::dataFile(kAirframeFile)), options_.plan.simulation},
+      simulation_{world_, loadHangar(), options_.plan.simulation},
       log_{world_.place()} {
     std::string const& found = world_.field().origin().sha256;
     if (found != options_.plan.weatherSha256)

@@ -30,9 +30,11 @@ double startHeading(World const& world, SimulationOptions const& options) {
 }
 }  // namespace
 
-Simulation::Simulation(World& world, flight::Airframe const& airframe, SimulationOptions const& options)
+Simulation::Simulation(World& world, Hangar hangar, SimulationOptions const& options)
     : world_{world},
-      aircraft_{airframe, options.payload, options.fuel},
+      hangar_{std::move(hangar)},
+      flown_{options.settings.pilot.airframe},
+      aircraft_{chosen(hangar_, flown_), options.payload, options.fuel},
       delivery_{options.seed, startEastNorth(world, options),
                 directionEastNorth(startHeading(world, options)), world.ground()},
       settings_{options.settings},
@@ -88,6 +90,7 @@ void Simulation::step() {
     ui::Stick::Action const action = stick_.step(sample_, settings_.input);
     if (action.respawn) respawn();
     if (action.drop) releaseParcel();
+    if (action.autopilot) switchAutopilot(!autopilot_.engaged);
     stepAircraft(action, air);
     stepDelivery(air);
     ++tick_;
@@ -103,11 +106,40 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
     before_ = aircraft_.state();
     flight::Controls controls = action.controls;
     controls.throttle = stick_.controls().throttle;  // a respawn in this tick has moved the lever
-    aircraft_.step(controls, settings_.pilot.assist, settings_.assist, air, world_.ground(), utc());
+    flight::AssistLevel level = settings_.pilot.assist;
+    flight::AssistSettings assist = settings_.assist;
+    if (autopilot_.engaged && flight::takesOver(controls)) switchAutopilot(false);
+    if (autopilot_.engaged) {
+        delivery::DropZone const& zone = delivery_.target();
+        double const flaps = controls.flaps;
+        controls = flight::autopilotHands(aircraft_.state(), aircraft_.airframe(), settings_.autopilot,
+                                          {zone.east, zone.north}, autopilot_);
+        controls.flaps = flaps;
+        level = flight::AssistLevel::normal;
+        assist = flight::AssistSettings{.maxThrottle = settings_.assist.maxThrottle};
+        stick_.setThrottle(controls.throttle);  // the lever goes along
+    }
+    aircraft_.step(controls, level, assist, air, world_.ground(), utc());
     flight::AircraftState const& now = aircraft_.state();
     if (now.touchdownTick != before_.touchdownTick && now.touchdownTick >= 0)
         note(FlightEvent::touchdown, now.positionWorld,
              fmt::format("Touchdown at {:.1f} m/s", now.touchdownSpeed));
+}
+
+/// In the air only: on the wheels there is nothing to hold.
+void Simulation::switchAutopilot(bool on) {
+    if (on && aircraft_.state().readings.onGround) return;
+    autopilot_ = on ? flight::engagedAutopilot(aircraft_.airframe(), aircraft_.state()) : flight::AutopilotMemory{};
+    note(FlightEvent::autopilot, aircraft_.state().positionWorld, on ? "Autopilot on" : "Autopilot off: you have the stick");
+}
+
+std::string Simulation::autopilotText() const {
+    using flight::AutopilotCourse;
+    if (!autopilot_.engaged) return {};
+    AutopilotCourse const course = settings_.autopilot.course;
+    double const heading = course == AutopilotCourse::heading ? settings_.autopilot.heading_deg : core::degrees(autopilot_.heading);
+    std::string const steers = course == AutopilotCourse::target ? "to " + delivery_.target().name : fmt::format("heading {:.0f}", heading);
+    return fmt::format("AUTOPILOT  {}  altitude {:.0f} m", steers, flight::autopilotAltitude(settings_.autopilot, autopilot_));
 }
 
 void Simulation::releaseParcel() {
@@ -137,7 +169,23 @@ void Simulation::stepDelivery(core::AirFunction const& air) {
                          drop.distance, due.name));
 }
 
+/// Another airframe takes over the place; it carries what it can of the load.
+void Simulation::useChosenAirframe() {
+    if (settings_.pilot.airframe == flown_) return;
+    flown_ = settings_.pilot.airframe;
+    flight::Airframe const& airframe = chosen(hangar_, flown_);
+    flight::AircraftState state = aircraft_.state();
+    payload_ = std::min(payload_, airframe.payloadMax);
+    fuel_ = std::min(fuel_, airframe.fuelMax);
+    state.payload = std::min(state.payload, airframe.payloadMax);
+    state.fuel = std::min(state.fuel, airframe.fuelMax);
+    aircraft_ = flight::Aircraft{airframe, state.payload, state.fuel};
+    aircraft_.restore(state);
+}
+
 void Simulation::respawn() {
+    useChosenAirframe();
+    autopilot_ = {};
     core::AirFunction const air = airAtAnyTime();
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
@@ -166,6 +214,8 @@ std::string Simulation::stateHash() const {
     flight::forEachNumber(aircraft_.state(), take);
     delivery::forEachNumber(delivery_, take);
     stick_.forEachNumber(take);
+    autopilot_.forEachNumber(take);
+    take(static_cast<double>(flown_));
     take(static_cast<double>(tick_));
     take(utc()), take(clockRate_);
     hash.take(delivery_.randomState());

@@ -52,6 +52,7 @@ void SoundStage::note(FlightEventAt const& event) {
         case FlightEvent::touchdown:
             return add(Event::touchdown, true);
         case FlightEvent::respawned:
+        case FlightEvent::autopilot:
             return;
     }
 }

@@ -8,7 +8,8 @@ namespace luftpost::bot {
 
 class Courier : public Pilot {
 public:
-    explicit Courier(core::GroundFunction ground);
+    /// `stallSpeed` of the airframe, m/s: its speeds are so many times that.
+    Courier(core::GroundFunction ground, double stallSpeed);
 
     ui::InputSample decide(ui::HudState const& hud) override;
 
@@ -24,6 +25,7 @@ private:
     ui::DirectStick fly(ui::HudState const& hud, Aim const& aim) const;
 
     core::GroundFunction ground_;
+    double cruise_, slowest_;  // m/s, indicated
     bool outbound_ = false;  // passed the zone without a good release: flies on, then turns back
     int evading_ = 0;        // side of the turn that avoids terrain: -1 left, +1 right
     glm::dvec2 outboundCourse_{0.0, 1.0};

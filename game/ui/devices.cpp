@@ -18,7 +18,7 @@ constexpr FlightBinding kFlightKeys[]{
     {Key::d, FlightKey::rollRight}, {Key::left, FlightKey::rollLeft}, {Key::right, FlightKey::rollRight},
     {Key::up, FlightKey::noseDown}, {Key::down, FlightKey::noseUp},   {Key::q, FlightKey::yawLeft},
     {Key::e, FlightKey::yawRight},  {Key::b, FlightKey::brakes},      {Key::space, FlightKey::drop},
-    {Key::r, FlightKey::respawn}};
+    {Key::r, FlightKey::respawn},   {Key::t, FlightKey::autopilot}};
 
 struct PadBinding {
     PadButton button;
@@ -146,6 +146,7 @@ std::vector<KeyHelp> keyHelp() {
         {"Flight", k(Key::space), "A", "drop the parcel"},
         {"Flight", k(Key::f) + " Shift+" + k(Key::f), "X, Y", "flaps down, up"},
         {"Flight", k(Key::b), "B", "brakes"},
+        {"Flight", k(Key::t), "", "autopilot: on; the stick takes over"},
         {"Flight", k(Key::r) + " held", "left stick down", "start again in the air here"},
         {"View", k(Key::c), "Back", "camera: chase, cockpit, free"},
         {"View", "", "", "and the parcel's, while it falls"},

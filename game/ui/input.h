@@ -21,6 +21,7 @@ enum class FlightKey : unsigned {
     flapsDown,
     flapsUp,
     respawn,
+    autopilot,
     count
 };
 
@@ -64,6 +65,7 @@ public:
         flight::Controls controls;
         bool drop = false;     // the key went down in this tick
         bool respawn = false;  // held long enough in this tick
+        bool autopilot = false;  // the key went down in this tick
     };
     Action step(InputSample const& sample, InputSettings const& settings);
 

@@ -28,6 +28,11 @@ inline FlownCard flownCard(std::string const& name, TestFlight& flight, double l
         flight.aircraft.startInAir(
             core::worldFromEastNorth(start.eastNorth.x, start.eastNorth.y, start.altitude), start.heading,
             start.tas, flight.air, flight.ground, 0.0);
+    if (flight.startsWithIce > 0.0) {
+        AircraftState iced = flight.state();
+        iced.ice = flight.startsWithIce;
+        flight.aircraft.restore(iced);
+    }
     flight.fly(3600.0, [&](double) {
         card.look(flight.state());
         if (flight.state().tick % bot::kTicksPerDecision == 0) flight.stick = card.hands();

@@ -41,7 +41,7 @@ std::filesystem::path replayFile(std::string const& text) {
 }
 
 Replay readBack(std::string const& text) {
-    return readReplay(replayFile(text), flight::loadAirframe(platform::dataFile(kAirframeFile)));
+    return readReplay(replayFile(text), loadHangar());
 }
 
 void fly(Session& session, int ticks) {
