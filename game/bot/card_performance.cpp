@@ -50,7 +50,7 @@ Manoeuvre Card::slowDown(std::string key) {
     for (double t = 0.0; t < 60.0 && now().stalled < 0.5; t += kTick, co_await nextTick()) {
         pilot_.holdSpeed(fromKnots(from - std::max(t - 10.0, 0.0)));
         pilot_.holdWings();
-        if (t > 10.0) least = std::min(least, now().cas);
+        least = std::min(least, now().cas);
     }
     if (now().stalled >= 0.5) put(std::move(key), knots(least));
 }

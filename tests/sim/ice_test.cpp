@@ -13,6 +13,7 @@ FlownCard icedCard(std::string const& name, double ice) {
     flight.air = [clear](glm::dvec3 const& p, core::UtcSeconds t) {
         core::AirSample sample = clear(p, t);
         sample.temperature = 268.15;  // nothing melts
+        sample.density = sample.pressure / (287.05287 * sample.temperature);
         return sample;
     };
     return flownCard(name, flight);
