@@ -16,6 +16,7 @@
 namespace luftpost::app {
 namespace {
 constexpr double kPromptSeconds = 60.0;  // the first minute
+constexpr double kShownAge = 1.0;         // s: a line that stays is neither coming nor going
 constexpr double kSaveAfter = 0.5;       // s without another change
 
 render::RendererOptions rendererOptions(RunOptions const& run) {
@@ -219,7 +220,7 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
-    if (std::string text = simulation.autopilotText(); !text.empty()) hud.messages.push_back({std::move(text), ui::MessageKind::info, 0.0});
+    if (std::string text = simulation.autopilotText(); !text.empty()) hud.messages.push_back({std::move(text), ui::MessageKind::info, kShownAge});
     if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts();
     hud.camera = cameras_.pose();
     return hud;

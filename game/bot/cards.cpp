@@ -107,6 +107,7 @@ void Card::look(flight::AircraftState const& state) {
     if (!over_ && (manoeuvre_.done() || crashed)) {
         over_ = true;
         finished_ = manoeuvre_.done();
+        if (finished_) put("finished_at_s", static_cast<double>(tick_) * core::kTickSeconds);
         turn_.begin(after_);
     }
     turn_.goOn();

@@ -100,6 +100,7 @@ private:
     void flare();
     void followLine(double course, double aside);
     double slopeHeight() const;
+    double finalSpeed() const;  // m/s calibrated, of a circuit
 
     struct Row {
         std::string_view name;

@@ -9,6 +9,7 @@ namespace luftpost::bot {
 namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kUp = 200.0;          // m over the airfield, of the circuit
+constexpr double kMostAlpha = core::radians(11.0);
 constexpr double kClimb = 2.5;         // m/s, with speed to spare for the turns
 constexpr double kAside = 900.0;       // m, the downwind leg beside the runway
 constexpr double kBaseTurn = 1300.0;   // m before the threshold
@@ -87,7 +88,7 @@ Manoeuvre Card::flyFinal() {
         established = established || across() > -250.0;
         double const wanted = -kSlope * now().groundSpeed + 0.25 * (slopeHeight() - height);
         pilot_.holdClimb(std::clamp(established ? wanted : std::min(wanted, 0.0), -5.0, 1.0));
-        pilot_.holdSpeedByPower(stalls(1.4));
+        pilot_.holdSpeedByPower(finalSpeed());
         if (!established)
             pilot_.holdTrack(ground_.heading + 0.5 * core::kPi);
         else if (height > kAlign)
@@ -129,7 +130,14 @@ Manoeuvre Card::touchDown() {
     put("stopped_at_m", along());
 }
 
+/// A little faster the more wind there is: gusts come with it.
+double Card::finalSpeed() const {
+    double const wind = std::sqrt(now().windWorld.x * now().windWorld.x + now().windWorld.z * now().windWorld.z);
+    return std::min(stalls(1.3) + 0.25 * wind, stalls(1.55));
+}
+
 Manoeuvre Card::circuit() {
+    pilot_.mostAlpha = kMostAlpha;
     co_await leaveRunway();
     co_await flyRound();
     co_await flyFinal();

@@ -10,6 +10,7 @@ namespace luftpost::bot {
 namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kReferenceSpeed = 51.0;  // m/s, where the gains were chosen
+constexpr double kUnload = 8.0;            // of the stick per rad beyond the angle of attack that is allowed
 constexpr double kAlphaSeconds = 0.4;     // over which the angle of attack is smoothed
 constexpr double kSteepestTurn = 0.5;     // rad of bank
 }  // namespace
@@ -39,8 +40,9 @@ void TestPilot::takeOver() {
 void TestPilot::holdPitch(double pitch) {
     double const error = pitch - now().pitch;
     double const gain = std::min(kReferenceSpeed / std::max(now().tas, 15.0), 2.0);
-    integral_ = std::clamp(integral_ + 1.5 * gain * error * kTick, -1.0, 1.0);
-    stick.elevator = std::clamp(gain * (3.0 * error - 0.8 * now().pitchRate) + integral_, -1.0, 1.0);
+    double const tooMuch = std::max(now().alpha - mostAlpha, 0.0);
+    integral_ = std::clamp(integral_ + (1.5 * gain * error - kUnload * tooMuch) * kTick, -1.0, 1.0);
+    stick.elevator = std::clamp(gain * (3.0 * error - 0.8 * now().pitchRate) + integral_ - kUnload * tooMuch, -1.0, 1.0);
 }
 
 void TestPilot::holdSpeed(double cas) {

@@ -7,6 +7,8 @@ namespace luftpost::bot {
 class TestPilot {
 public:
     flight::Controls stick;
+    /// rad of angle of attack beyond which the stick goes forward, whatever is held; as it is, one may stall.
+    double mostAlpha = 1.0;
 
     /// What the instruments show now; before any hold of a tick.
     void look(flight::AircraftState const& state);
