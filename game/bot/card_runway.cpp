@@ -58,7 +58,7 @@ Manoeuvre Card::landing() {
     pilot_.stick.throttle = 0.0;
     pilot_.stick.flaps = 1.0;
     while (pilot_.state().touchdownTick < 0) {
-        pilot_.slipAlong(ground_.heading, across(), drift());
+        pilot_.slipAlong(ground_.heading, across(), drift(), windAcross());
         flares = flares || now().height < -kFlareSeconds * now().climb;
         if (!flares) {
             pilot_.holdSpeed(stalls(1.235));

@@ -98,7 +98,7 @@ private:
     Manoeuvre touchDown();
     void rollAlong();
     void flare();
-    void followLine(double course, double aside);
+    void followLine(double course, double aside, double gain = 0.004);
     double slopeHeight() const;
     double finalSpeed() const;  // m/s calibrated, of a circuit
 

@@ -9,13 +9,14 @@ namespace luftpost::bot {
 namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kUp = 200.0;          // m over the airfield, of the circuit
+constexpr double kOnFinal = 0.012;     // rad of course per m off the line
 constexpr double kMostAlpha = core::radians(11.0);
 constexpr double kClimb = 2.5;         // m/s, with speed to spare for the turns
 constexpr double kAside = 900.0;       // m, the downwind leg beside the runway
 constexpr double kBaseTurn = 1300.0;   // m before the threshold
 constexpr double kSlope = 0.075;       // of the final approach
 constexpr double kAim = 120.0;         // m behind the threshold, where the slope meets the runway
-constexpr double kAlign = 25.0;        // m of height, from where one wing is low and the nose along the runway
+constexpr double kAlign = 8.0;         // m of height, from where one wing is low and the nose along the runway
 constexpr double kFlare = 6.0;         // m
 }  // namespace
 
@@ -33,9 +34,9 @@ void Card::rollAlong() {
 }
 
 /// Flies `course` over the ground and toward the line at `aside` m to the right of the runway's.
-void Card::followLine(double course, double aside) {
+void Card::followLine(double course, double aside, double gain) {
     double const off = (across() - aside) * core::cos(course - ground_.heading);
-    pilot_.holdTrack(course - std::clamp(0.004 * off, -0.7, 0.7));
+    pilot_.holdTrack(course - std::clamp(gain * off, -0.7, 0.7));
 }
 
 Manoeuvre Card::leaveRunway() {
@@ -92,18 +93,18 @@ Manoeuvre Card::flyFinal() {
         if (!established)
             pilot_.holdTrack(ground_.heading + 0.5 * core::kPi);
         else if (height > kAlign)
-            followLine(ground_.heading, 0.0);
+            followLine(ground_.heading, 0.0, kOnFinal);
         else
-            pilot_.slipAlong(ground_.heading, across(), drift());
+            pilot_.slipAlong(ground_.heading, across(), drift(), windAcross());
         co_await nextTick();
     }
 }
 
 /// Wing low, down to the wheels, the lever slowly back.
 void Card::flare() {
-    pilot_.slipAlong(ground_.heading, across(), drift());
+    pilot_.slipAlong(ground_.heading, across(), drift(), windAcross());
     pilot_.holdPath((-0.4 - 0.3 * now().height) / now().tas);
-    pilot_.stick.throttle = std::max(pilot_.stick.throttle - 0.4 * kTick, 0.0);
+    pilot_.stick.throttle = std::max(pilot_.stick.throttle - 0.3 * kTick, 0.0);
 }
 
 Manoeuvre Card::touchDown() {

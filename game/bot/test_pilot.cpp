@@ -97,8 +97,8 @@ void TestPilot::steerAlong(double heading, double across) {
     stick.rudder = std::clamp(-6.0 * off - 3.0 * now().yawRate - 0.08 * across, -1.0, 1.0);
 }
 
-void TestPilot::slipAlong(double heading, double across, double drift) {
-    holdWings(std::clamp(-0.02 * across - 0.06 * drift, -0.25, 0.25));
+void TestPilot::slipAlong(double heading, double across, double drift, double wind) {
+    holdWings(std::clamp(0.013 * wind - 0.02 * across - 0.08 * drift, -0.28, 0.28));
     stick.rudder = std::clamp(-4.0 * turnBetween(heading, now().heading) - 2.0 * now().yawRate, -1.0, 1.0);
 }
 }  // namespace luftpost::bot

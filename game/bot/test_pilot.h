@@ -35,8 +35,8 @@ public:
     void holdTrack(double course);
     /// On the ground, along a line: `across` m to its right, `heading` rad.
     void steerAlong(double heading, double across);
-    /// Wing low: the bank keeps the line, the rudder the heading.
-    void slipAlong(double heading, double across, double drift);
+    /// Wing low: the bank keeps the line in so many m/s of wind from the right, the rudder the heading.
+    void slipAlong(double heading, double across, double drift, double wind);
 
 private:
     flight::AircraftState const* state_ = nullptr;
