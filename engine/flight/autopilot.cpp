@@ -27,8 +27,8 @@ double turnWanted(AircraftState const& state, AutopilotSettings const& settings,
 
 double climbWanted(AircraftState const& state, Airframe const& airframe, AutopilotSettings const& settings,
                    AutopilotMemory const& memory) {
-    double const climb = std::clamp(0.2 * (autopilotAltitude(settings, memory) - state.positionWorld.y),
-                                    -settings.climb_mps, settings.climb_mps);
+    double const most = settings.climb_fpm * core::kMetresPerFoot / 60.0;
+    double const climb = std::clamp(0.2 * (autopilotAltitude(settings, memory) - state.positionWorld.y), -most, most);
     return std::min(climb, 0.8 * (state.readings.cas - kGuarded * airframe.stallSpeed));
 }
 }  // namespace
@@ -45,7 +45,7 @@ bool takesOver(Controls const& stick) {
 }
 
 double autopilotAltitude(AutopilotSettings const& settings, AutopilotMemory const& memory) {
-    return settings.altitude_m > 0.0 ? settings.altitude_m : memory.altitude;
+    return settings.altitude_ft > 0.0 ? settings.altitude_ft * core::kMetresPerFoot : memory.altitude;
 }
 
 Controls autopilotHands(AircraftState const& state, Airframe const& airframe, AutopilotSettings const& settings,

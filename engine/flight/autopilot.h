@@ -13,18 +13,18 @@ inline constexpr std::array<std::string_view, 3> kAutopilotCourseWords{"engaged"
 struct AutopilotSettings {
     AutopilotCourse course = AutopilotCourse::engaged;
     double heading_deg = 0.0;
-    double altitude_m = 0.0;
-    double climb_mps = 2.5;
+    double altitude_ft = 0.0;  // what the HUD reads in
+    double climb_fpm = 500.0;
 };
 inline constexpr std::tuple autopilotFields{
     core::Field{&AutopilotSettings::course, "aircraft.autopilotCourse", kAutopilotCourseWords,
                 "What the autopilot steers: the heading it was engaged on, the heading below, or to the target (the drop zone)"},
     core::Field{&AutopilotSettings::heading_deg, "aircraft.autopilotHeading", 0.0, 360.0,
                 "Heading of the autopilot in degrees from true north, where the course says so"},
-    core::Field{&AutopilotSettings::altitude_m, "aircraft.autopilotAltitude", 0.0, 6000.0,
-                "Altitude of the autopilot in metres above sea level; 0: the one where it was engaged"},
-    core::Field{&AutopilotSettings::climb_mps, "aircraft.autopilotClimb", 0.5, 8.0,
-                "Fastest climb or descent of the autopilot in m/s; the speed comes first"}};
+    core::Field{&AutopilotSettings::altitude_ft, "aircraft.autopilotAltitude", 0.0, 20000.0,
+                "Altitude of the autopilot in feet above sea level; 0: the one where it was engaged"},
+    core::Field{&AutopilotSettings::climb_fpm, "aircraft.autopilotClimb", 100.0, 1500.0,
+                "Fastest climb or descent of the autopilot in feet a minute; the speed comes first"}};
 
 /// What it carries from tick to tick; part of the state hash.
 struct AutopilotMemory {

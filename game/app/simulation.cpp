@@ -130,7 +130,7 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
 void Simulation::switchAutopilot(bool on) {
     if (on && aircraft_.state().readings.onGround) return;
     autopilot_ = on ? flight::engagedAutopilot(aircraft_.airframe(), aircraft_.state()) : flight::AutopilotMemory{};
-    note(FlightEvent::autopilot, aircraft_.state().positionWorld, on ? "Autopilot on" : "Autopilot off: you have the stick");
+    if (!on) note(FlightEvent::autopilot, aircraft_.state().positionWorld, "Autopilot off: you have the stick");
 }
 
 std::string Simulation::autopilotText() const {
@@ -139,7 +139,8 @@ std::string Simulation::autopilotText() const {
     AutopilotCourse const course = settings_.autopilot.course;
     double const heading = course == AutopilotCourse::heading ? settings_.autopilot.heading_deg : core::degrees(autopilot_.heading);
     std::string const steers = course == AutopilotCourse::target ? "to " + delivery_.target().name : fmt::format("heading {:.0f}", heading);
-    return fmt::format("AUTOPILOT  {}  altitude {:.0f} m", steers, flight::autopilotAltitude(settings_.autopilot, autopilot_));
+    double const altitude_ft = flight::autopilotAltitude(settings_.autopilot, autopilot_) / core::kMetresPerFoot;
+    return fmt::format("AUTOPILOT  {}  altitude {:.0f} ft", steers, altitude_ft);
 }
 
 void Simulation::releaseParcel() {

@@ -60,7 +60,7 @@ TEST(Autopilot, ClimbsToItsAltitudeNoFasterThanItIsTold) {
     TestFlight flight{AssistLevel::normal};
     flight.inAir(800.0, 46.0);
     AutopilotMemory memory = engagedAutopilot(flight.aircraft.airframe(), flight.state());
-    AutopilotSettings const settings{.altitude_m = 1000.0, .climb_mps = 2.0};
+    AutopilotSettings const settings{.altitude_ft = 3280.84, .climb_fpm = 394.0};
     double fastest = 0.0;
     flight.fly(200.0, [&](double) {
         flight.stick = autopilotHands(flight.state(), flight.aircraft.airframe(), settings, glm::dvec2{0.0}, memory);

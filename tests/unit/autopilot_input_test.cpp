@@ -50,8 +50,8 @@ std::string hashOfReplay(Session const& session) {
 TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
     Session session{flown(calmPlan())};
     pressAutopilot(session);
-    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 900 m");
-    session.input(SettingInput{"aircraft.autopilotAltitude", 1000.0});
+    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft");
+    session.input(SettingInput{"aircraft.autopilotAltitude", 3281.0});
     session.input(SettingInput{"aircraft.autopilotCourse", std::string{"heading"}});
     session.input(SettingInput{"aircraft.autopilotHeading", 90.0});
     fly(session, 90.0);
