@@ -25,7 +25,7 @@ struct Replay {
 
 /// Format "luftpost-replay-1" (JSON); numbers keep every bit.
 std::string replayText(Replay const& replay);
-/// Throws core::Error naming file, place and expectation; payload and fuel are held to what the airframe
-/// carries.
-Replay readReplay(std::filesystem::path const& file, flight::Airframe const& airframe);
+/// Throws core::Error naming file, place and expectation; payload and fuel are held to what the chosen
+/// airframe carries.
+Replay readReplay(std::filesystem::path const& file, Hangar const& hangar);
 }  // namespace luftpost::app

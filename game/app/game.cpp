@@ -17,6 +17,7 @@
 namespace luftpost::app {
 namespace {
 constexpr double kPromptSeconds = 60.0;  // the first minute
+constexpr double kShownAge = 1.0;         // s: a line that stays is neither coming nor going
 constexpr double kSaveAfter = 0.5;       // s without another change
 
 render::RendererOptions rendererOptions(RunOptions const& run) {
@@ -86,7 +87,7 @@ void Game::readDevices(FrameStep const& step) {
     obey(reading_);
     holdMouse();
     if (surface_.closeRequested()) quit_ = true;
-    if (studio_ || replay_ || plan_.courier || reading_.flight == sample_) return;
+    if (studio_ || replay_ || !plan_.bot.empty() || reading_.flight == sample_) return;
     sample_ = reading_.flight;
     session_->input(sample_);
 }
@@ -291,6 +292,7 @@ ui::HudState Game::hudState() {
     hud.clockRate = simulation.clockRate();
     hud.weather = hudWeather();
     hud.messages = messages_.at(simulation.seconds());
+    if (std::string text = simulation.autopilotText(); !text.empty()) hud.messages.push_back({std::move(text), ui::MessageKind::info, kShownAge});
     if (replay_) hud.prompts = replay_->playing() ? std::vector<ui::HudPrompt>{} : devices_.replayPrompts(settings_.bindings);
     else if (simulation.seconds() < kPromptSeconds) hud.prompts = devices_.firstPrompts(settings_.bindings);
     hud.camera = cameras_.pose();

@@ -23,6 +23,7 @@ void Messages::sayEvent(FlightEventAt const& event, double seconds) {
         case FlightEvent::respawned:
             return say("In the air again, with the same job", MessageKind::info, seconds);
         case FlightEvent::touchdown:
+        case FlightEvent::autopilot:
             return say(event.text, MessageKind::info, seconds);
         case FlightEvent::landed:  // shown by the HUD as a whole
         case FlightEvent::chuteOpened:

@@ -53,6 +53,7 @@ void writeFiles(Session& session, RunOptions const& run, FlightReport const& rep
     if (!run.saveWeather.empty())
         core::writeFileAtomically(run.saveWeather, session.weatherText());
     if (!run.report.empty()) core::writeFileAtomically(run.report, reportText(report));
+    if (report.card) fmt::print("{}", cardText(*report.card));
 }
 
 /// The flight's own figures beside what the run cost.

@@ -22,7 +22,7 @@ void addPlayCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) 
     CLI::App* const play = app.add_subcommand("play", "the game (the default)");
     play->add_flag("--headless", texts->headless, "no window, a simulated clock, as fast as it can");
     play->add_flag("--no-render", texts->noRender, "no GL context at all");
-    play->add_option("--bot", texts->bot, "courier: the bot flies");
+    play->add_option("--bot", texts->bot, "courier, circuit, or card:NAME of a test card: the bot flies");
     play->add_option("--input", texts->input,
                      "FILE.csv: t_s,throttle,elevator,aileron,rudder,flaps,brakes,drop");
     play->add_option("--save-replay", texts->saveReplay, "FILE: the flight, to be flown again by `replay`");

@@ -11,6 +11,7 @@
 #include "engine/platform/paths.h"
 #include "engine/platform/surface.h"
 #include "engine/weather/source.h"
+#include "game/app/bots.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
 #include "game/app/photo_box.h"
@@ -115,6 +116,7 @@ weather::Field waitingField(CommonOptions& common) {
 
 /// The field that the flight begins in; with live weather also the feed. It is made here to complain early.
 weather::Field firstField(FlightPlan& plan, CommonOptions& common, RunOptions& run) {
+    if (!plan.weather.recording.empty()) return fieldOf(plan.weather, placeWish(common));  // a bot's own
     if (!wantsLive(common)) return weatherField(common);
     run.feed = std::make_shared<WeatherFeed>(common.settings.weather, run.headless ? FeedPace::inLine : FeedPace::beside,
                                              feedCacheFolder(common.settings.weather, !run.headless));
@@ -130,10 +132,10 @@ weather::Field firstField(FlightPlan& plan, CommonOptions& common, RunOptions& r
     }
 }
 
-/// The weather's source, place and hour.
-void planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
+/// The weather's source, place and hour; gives the field that the flight begins in.
+weather::Field planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
     plan.weatherLatest = feedTime(common);
-    weather::Field const field = firstField(plan, common, run);
+    weather::Field field = firstField(plan, common, run);
     bool const preset = field.origin().mode == weather::SourceMode::Preset;
     if (plan.weather.recording.empty())  // so that the replay finds it from any folder
         plan.weather.source =
@@ -141,19 +143,23 @@ void planWeather(FlightPlan& plan, CommonOptions common, RunOptions& run) {
     plan.weatherSha256 = field.origin().sha256;
     plan.place = field.place();
     plan.simulation.time = startTime(common, field);
+    return field;
 }
 
-FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common, RunOptions& run) {
+FlightPlan flightPlan(PlayTexts const& texts, CommonOptions const& common, WeatherInput first, RunOptions& run) {
     FlightPlan plan;
-    planWeather(plan, common, run);
+    plan.weather = std::move(first);
+    weather::Field const field = planWeather(plan, common, run);
     SimulationOptions& simulation = plan.simulation;
     simulation.seed = common.seed.value_or(1);
     simulation.start = startOption(texts.start, plan.place.altitude_m);
-    flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(kAirframeFile));
+    simulation.settings = common.settings.flight;
+    Hangar const hangar = loadHangar();
+    flight::Airframe const& airframe = chosen(hangar, simulation.settings.pilot.airframe);
     if (!texts.payload.empty())
         simulation.payload = numberOption("--payload", texts.payload, 0.0, airframe.payloadMax);
     if (!texts.fuel.empty()) simulation.fuel = numberOption("--fuel", texts.fuel, 0.0, airframe.fuelMax);
-    simulation.settings = common.settings.flight;
+    planStartForBot(texts.bot, field, airframe, plan);
     return plan;
 }
 
@@ -180,8 +186,6 @@ void keepWritten(SessionOptions& session, PlayTexts const& texts) {
 void checkModes(PlayTexts const& texts, RunOptions const& run) {
     if (run.headless && !run.ticks)
         throw core::Error{"--seconds", "", "expected with --headless: the seconds of flight"};
-    if (!texts.bot.empty() && texts.bot != "courier")
-        throw core::Error{"--bot", "", fmt::format("expected courier, found {}", texts.bot)};
     refuseTogether(!texts.bot.empty() && !texts.input.empty(), "--input", "--bot");
 }
 }  // namespace
@@ -191,15 +195,17 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
     PlayOptions options;
     options.run = runOptions(texts, common);
     checkModes(texts, options.run);
+    checkBot(texts, given);
     if (!options.run.headless) usePlayerFiles(common, options.run);
     if (!texts.assist.empty()) {
         core::SettingList list = settingList(common.settings);
         core::assignSetting(*core::findSetting(list, "aircraft.assist"), "--assist", texts.assist);
     }
+    WeatherInput botWeather = prepareForBot(texts.bot, common);
     common.settings.weather.live = wantsLive(common);
     options.run.settings = common.settings;
-    options.session.plan = flightPlan(texts, common, options.run);
-    options.session.courier = !texts.bot.empty();
+    options.session.plan = flightPlan(texts, common, std::move(botWeather), options.run);
+    options.session.bot = texts.bot;
     keepWritten(options.session, texts);
     if (!texts.input.empty()) options.session.script = scriptFrom(texts.input);
     if (!texts.photo.empty()) options.run.photos = photosOption(texts.photo, options.session.plan.simulation.time);
@@ -248,7 +254,7 @@ PlayOptions replayOptions(std::filesystem::path const& file, PlayTexts const& te
         options.run.settings.weather.live = false;
     }
     options.run.noRender = options.run.headless && texts.screenshot.empty();
-    Replay replay = readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
+    Replay replay = readReplay(file, loadHangar());
     options.run.ticks = replay.ticks;
     options.run.settings.flight = replay.plan.simulation.settings;
     options.session.plan = std::move(replay.plan);

@@ -15,6 +15,7 @@ constexpr char const* kFormat = "luftpost-replay-1";
 constexpr long long kMostTicks = 240'000'000;                            // of a million seconds
 constexpr double kFirstUtc = -62167219200.0, kLastUtc = 253402300799.0;  // the years 0 to 9999
 constexpr double kHighestStart = 25000.0, kFastestStart = 150.0;         // m, m/s
+constexpr double kFarthestStart = 1.0e5;                                 // m from the origin
 constexpr double kLongestChange = 86400.0;                               // s, from one weather to the next
 constexpr double kMostTurns = 13.0;                                      // rad either way, as --start has it
 
@@ -46,7 +47,8 @@ Json planJson(FlightPlan const& plan) {
              {{"runway", s.start.runway},
               {"altitude", s.start.altitude},
               {"tas", s.start.tas},
-              {"heading", s.start.heading}}},
+              {"heading", s.start.heading},
+              {"east_north", {s.start.eastNorth.x, s.start.eastNorth.y}}}},
             {"payload_kg", s.payload},
             {"fuel_kg", s.fuel},
             {"settings", settingsJson(s.settings)}};
@@ -202,7 +204,7 @@ FlightInput inputFrom(Part const& part) {
     return sampleFrom(part);
 }
 
-FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
+FlightPlan planFrom(Part const& part, Hangar const& hangar) {
     FlightPlan plan;
     plan.weather = weatherFrom(part["weather"]);
     plan.weatherSha256 = part["weather_sha256"].text();
@@ -218,8 +220,11 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
     s.start.altitude = start["altitude"].number(-kHighestStart, kHighestStart);
     s.start.tas = start["tas"].number(0.0, kFastestStart);
     s.start.heading = start["heading"].number(-kMostTurns, kMostTurns);
-    s.payload = part["payload_kg"].number(0.0, airframe.payloadMax);
-    s.fuel = part["fuel_kg"].number(0.0, airframe.fuelMax);
+    if (start.has("east_north")) {  // not in files of before
+        Part const origin = start["east_north"].list(2);
+        auto const metres = [&](std::size_t i) { return origin.at(i).number(-kFarthestStart, kFarthestStart); };
+        s.start.eastNorth = {metres(0), metres(1)};
+    }
     core::SettingList list;
     appendFlightSettings(list, s.settings);
     Part const settings = part["settings"];
@@ -227,6 +232,9 @@ FlightPlan planFrom(Part const& part, flight::Airframe const& airframe) {
         SettingInput const change = settingFrom(key, settings[key.c_str()]);
         core::findSetting(list, key)->set(change.value);
     }
+    flight::Airframe const& airframe = chosen(hangar, s.settings.pilot.airframe);
+    s.payload = part["payload_kg"].number(0.0, airframe.payloadMax);
+    s.fuel = part["fuel_kg"].number(0.0, airframe.fuelMax);
     return plan;
 }
 }  // namespace
@@ -244,14 +252,14 @@ std::string replayText(Replay const& replay) {
     return text + "\n]}\n";
 }
 
-Replay readReplay(std::filesystem::path const& file, flight::Airframe const& airframe) {
+Replay readReplay(std::filesystem::path const& file, Hangar const& hangar) {
     std::string const name = file.string();
     std::string const bytes = core::readFile(file);
     Json const json = Json::parse(bytes, nullptr, false);
     if (!json.is_object() || json.value("format", Json{}) != kFormat)
         throw core::Error{name, "format", fmt::format("expected a {} file", kFormat)};
     Part const whole{json, name, ""};
-    Replay replay{planFrom(whole["plan"], airframe), whole["ticks"].whole(0, kMostTicks), {}};
+    Replay replay{planFrom(whole["plan"], hangar), whole["ticks"].whole(0, kMostTicks), {}};
     Part const inputs = whole["inputs"];
     inputs.list(inputs.json.size());
     long long before = 0;

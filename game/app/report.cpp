@@ -1,5 +1,6 @@
 #include "game/app/report.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -51,10 +52,22 @@ Json timesJson(std::vector<double> const& times) {
         {"p50", percentile(times, 0.5)}, {"p99", percentile(times, 0.99)}, {"max", percentile(times, 1.0)}};
 }
 
+Json cardJson(CardReport const& card) {
+    Json items = Json::object();
+    for (auto const& [name, value] : card.figures) items[name] = value;
+    return {{"name", card.bot.substr(card.bot.find(':') + 1)}, {"finished", card.finished}, {"items", items}};
+}
+
 Json valueJson(core::SettingValue const& value) {
     return std::visit([](auto const& v) { return Json(v); }, value);
 }
 }  // namespace
+
+std::string cardText(CardReport const& card) {
+    std::string text = fmt::format("{}: {}\n", card.bot, card.finished ? "finished" : "not finished in the time it had");
+    for (auto const& [name, value] : card.figures) text += fmt::format("{} {:.5g}\n", name, value);
+    return text;
+}
 
 double percentile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
@@ -91,6 +104,7 @@ std::string reportText(FlightReport const& report) {
     for (delivery::Drop const& drop : report.drops) json["drops"].push_back(dropJson(drop));
     for (Landing const& landing : report.landings) json["landings"].push_back(landingJson(landing));
     for (auto const& [key, value] : report.changed) json["changed"][key] = valueJson(value);
+    if (report.card) json["card"] = cardJson(*report.card);
     return json.dump(2) + "\n";
 }
 }  // namespace luftpost::app

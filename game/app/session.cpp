@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/platform/paths.h"
+#include "game/app/bots.h"
 #include "game/app/instruments.h"
 
 namespace luftpost::app {
@@ -21,7 +22,7 @@ void loadScriptedWeather(World& world, std::vector<StampedInput> const& script) 
 Session::Session(SessionOptions options)
     : options_{std::move(options)},
       world_{options_.plan.weather, options_.plan.place, options_.plan.simulation.seed, options_.plan.weatherLatest},
-      simulation_{world_, flight::loadAirframe(platform::dataFile(kAirframeFile)), options_.plan.simulation},
+      simulation_{world_, loadHangar(), options_.plan.simulation},
       log_{world_.place()},
       track_{world_.place(), simulation_.utc()} {
     std::string const& found = world_.field().origin().sha256;
@@ -30,7 +31,8 @@ Session::Session(SessionOptions options)
                           "expected the recording of the replay, sha256 " + options_.plan.weatherSha256 +
                               ", found " + found};
     loadScriptedWeather(world_, options_.script);
-    if (options_.courier) courier_.emplace(world_.ground());
+    if (!options_.bot.empty())
+        pilot_ = makePilot(options_.bot, world_, simulation_.aircraft().airframe(), options_.plan.simulation.time);
     keepRow();
     keepWay();
     if (options_.weather) flown_.begin(world_.field(), simulation_.utc());
@@ -67,7 +69,8 @@ std::optional<std::string> Session::enterOffered() {
 void Session::tick() {
     while (scriptDone_ < options_.script.size() && options_.script[scriptDone_].tick <= simulation_.tick())
         input(options_.script[scriptDone_++].what);
-    if (courier_ && simulation_.tick() % bot::kTicksPerDecision == 0) askCourier();
+    if (pilot_) pilot_->look(simulation_.aircraft().state());
+    if (pilot_ && simulation_.tick() % bot::kTicksPerDecision == 0) askPilot();
     simulation_.step();
     keepRow();
     keepWay();
@@ -75,14 +78,14 @@ void Session::tick() {
 }
 
 void Session::goTo(Moment const& moment) {
-    CHECK(!courier_ && !options_.log && !options_.track && !options_.weather, "only a script can be gone through both ways");
+    CHECK(!pilot_ && !options_.log && !options_.track && !options_.weather, "only a script can be gone through both ways");
     simulation_.goTo(moment.simulation);
     scriptDone_ = moment.scriptDone;
     inputs_.assign(options_.script.begin(), options_.script.begin() + static_cast<std::ptrdiff_t>(scriptDone_));
 }
 
-void Session::askCourier() {
-    ui::InputSample const sample = courier_->decide(instruments(simulation_));
+void Session::askPilot() {
+    ui::InputSample const sample = pilot_->decide(instruments(simulation_));
     if (sample == sample_) return;
     sample_ = sample;
     input(sample);
@@ -115,6 +118,7 @@ FlightReport Session::report() const {
     report.drops = delivery.drops();
     report.landings = simulation_.landings();
     report.stateHashes = hashes_;
+    if (pilot_ && pilot_->figures()) report.card = CardReport{options_.bot, pilot_->finished(), *pilot_->figures()};
     return report;
 }
 }  // namespace luftpost::app

@@ -12,13 +12,13 @@
 #include "game/app/report.h"
 #include "game/app/simulation.h"
 #include "game/app/world.h"
-#include "game/bot/courier.h"
+#include "game/bot/pilot.h"
 
 namespace luftpost::app {
 struct SessionOptions {
     FlightPlan plan;
     std::vector<StampedInput> script;  // by tick: the input file or a replay
-    bool courier = false;              // the bot flies
+    std::string bot;                   // of --bot, who flies; empty: the player
     bool log = false;                  // keep the log's rows
     bool track = false;                // keep the way for maps
     bool weather = false;              // keep the weather that is flown
@@ -65,7 +65,7 @@ public:
     FlightReport report() const;
 
 private:
-    void askCourier();
+    void askPilot();
     void keepRow();
     void keepWay();
 
@@ -75,7 +75,7 @@ private:
     FlightLog log_;
     FlightTrack track_;
     std::size_t scriptDone_ = 0;
-    std::optional<bot::Courier> courier_;
+    std::unique_ptr<bot::Pilot> pilot_;  // the bot
     ui::InputSample sample_;
     std::vector<StampedInput> inputs_;
     std::vector<std::string> hashes_;

@@ -9,6 +9,7 @@
 #include "engine/core/check.h"
 #include "engine/core/error.h"
 #include "engine/core/math.h"
+#include "game/app/runway_start.h"
 #include "game/app/state_hash.h"
 
 namespace luftpost::app {
@@ -18,31 +19,22 @@ constexpr double kFuelThatFlies = 5.0;    // kg; with less, a respawn fills up
 
 glm::dvec2 directionEastNorth(double heading) { return {core::sin(heading), core::cos(heading)}; }
 
-/// The airfield's end from which a take-off goes into the wind, and the heading there.
-struct RunwayStart {
-    glm::dvec2 eastNorth{0.0};
-    double heading = 0.0;
-};
-RunwayStart runwayStart(World const& world, core::UtcSeconds time) {
-    terrain::Runway const& runway = world.land().runway();
-    glm::dvec2 const wind = world.field().at(0.0, 0.0, time).windSurface;
-    bool const reversed = wind.x * runway.directionEastNorth.x + wind.y * runway.directionEastNorth.y > 0.0;
-    // A length of the aircraft inside the threshold, so that every wheel stands on the strip.
-    glm::dvec2 const along = runway.directionEastNorth * (reversed ? -1.0 : 1.0);
-    return {runway.threshold(reversed) + along * 10.0, runway.heading + (reversed ? core::kPi : 0.0)};
+RunwayStart runwayStart(World const& world, SimulationOptions const& options) {
+    return app::runwayStart(world.land(), world.field(), options.time);
 }
-
 glm::dvec2 startEastNorth(World const& world, SimulationOptions const& options) {
-    return options.start.runway ? runwayStart(world, options.time).eastNorth : glm::dvec2{0.0};
+    return options.start.runway ? runwayStart(world, options).eastNorth : options.start.eastNorth;
 }
 double startHeading(World const& world, SimulationOptions const& options) {
-    return options.start.runway ? runwayStart(world, options.time).heading : options.start.heading;
+    return options.start.runway ? runwayStart(world, options).heading : options.start.heading;
 }
 }  // namespace
 
-Simulation::Simulation(World& world, flight::Airframe const& airframe, SimulationOptions const& options)
+Simulation::Simulation(World& world, Hangar hangar, SimulationOptions const& options)
     : world_{world},
-      aircraft_{airframe, options.payload, options.fuel},
+      hangar_{std::move(hangar)},
+      flown_{options.settings.pilot.airframe},
+      aircraft_{chosen(hangar_, flown_), options.payload, options.fuel},
       delivery_{options.seed, startEastNorth(world, options),
                 directionEastNorth(startHeading(world, options)), world.ground()},
       settings_{options.settings},
@@ -57,18 +49,19 @@ Simulation::Simulation(World& world, flight::Airframe const& airframe, Simulatio
 void Simulation::startFlight(SimulationOptions const& options) {
     core::AirFunction const air = airAtAnyTime();
     if (options.start.runway) {
-        RunwayStart const start = runwayStart(world_, options.time);
+        RunwayStart const start = runwayStart(world_, options);
         aircraft_.startOnRunway(start.eastNorth.x, start.eastNorth.y, start.heading, air, world_.ground(),
                                 options.time);
         return;
     }
-    double const ground = world_.ground()(0.0, 0.0).height;
+    glm::dvec2 const place = options.start.eastNorth;
+    double const ground = world_.ground()(place.x, place.y).height;
     if (!(options.start.altitude > ground))
         throw core::Error{"--start", "",
                           fmt::format("expected an altitude above the ground, {:.0f} m, found {}", ground,
                                       options.start.altitude)};
-    aircraft_.startInAir({0.0, options.start.altitude, 0.0}, options.start.heading, options.start.tas, air,
-                         world_.ground(), options.time);
+    aircraft_.startInAir(core::worldFromEastNorth(place.x, place.y, options.start.altitude),
+                         options.start.heading, options.start.tas, air, world_.ground(), options.time);
 }
 
 void Simulation::apply(FlightInput const& input) {
@@ -97,6 +90,7 @@ void Simulation::step() {
     ui::Stick::Action const action = stick_.step(sample_, settings_.input);
     if (action.respawn) respawn();
     if (action.drop) releaseParcel();
+    if (action.autopilot) switchAutopilot(!autopilot_.engaged);
     stepAircraft(action, air);
     stepDelivery(air);
     ++tick_;
@@ -112,7 +106,20 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
     before_ = aircraft_.state();
     flight::Controls controls = action.controls;
     controls.throttle = stick_.controls().throttle;  // a respawn in this tick has moved the lever
-    aircraft_.step(controls, settings_.pilot.assist, settings_.assist, air, world_.ground(), utc());
+    flight::AssistLevel level = settings_.pilot.assist;
+    flight::AssistSettings assist = settings_.assist;
+    if (autopilot_.engaged && flight::takesOver(controls)) switchAutopilot(false);
+    if (autopilot_.engaged) {
+        delivery::DropZone const& zone = delivery_.target();
+        double const flaps = controls.flaps;
+        controls = flight::autopilotHands(aircraft_.state(), aircraft_.airframe(), settings_.autopilot,
+                                          {zone.east, zone.north}, autopilot_);
+        controls.flaps = flaps;
+        level = flight::AssistLevel::normal;
+        assist = flight::AssistSettings{.maxThrottle = settings_.assist.maxThrottle};
+        stick_.setThrottle(controls.throttle);  // the lever goes along
+    }
+    aircraft_.step(controls, level, assist, air, world_.ground(), utc());
     flight::AircraftState const& now = aircraft_.state();
     if (now.touchdownTick != before_.touchdownTick && now.touchdownTick >= 0)
         note(FlightEvent::touchdown, now.positionWorld,
@@ -121,6 +128,23 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
         landings_.push_back(*landing);
         note(FlightEvent::landed, now.positionWorld);
     }
+}
+
+/// In the air only: on the wheels there is nothing to hold.
+void Simulation::switchAutopilot(bool on) {
+    if (on && aircraft_.state().readings.onGround) return;
+    autopilot_ = on ? flight::engagedAutopilot(aircraft_.airframe(), aircraft_.state()) : flight::AutopilotMemory{};
+    if (!on) note(FlightEvent::autopilot, aircraft_.state().positionWorld, "Autopilot off: you have the stick");
+}
+
+std::string Simulation::autopilotText() const {
+    using flight::AutopilotCourse;
+    if (!autopilot_.engaged) return {};
+    AutopilotCourse const course = settings_.autopilot.course;
+    double const heading = course == AutopilotCourse::heading ? settings_.autopilot.heading_deg : core::degrees(autopilot_.heading);
+    std::string const steers = course == AutopilotCourse::target ? "to " + delivery_.target().name : fmt::format("heading {:.0f}", heading);
+    double const altitude_ft = flight::autopilotAltitude(settings_.autopilot, autopilot_) / core::kMetresPerFoot;
+    return fmt::format("AUTOPILOT  {}  altitude {:.0f} ft", steers, altitude_ft);
 }
 
 void Simulation::releaseParcel() {
@@ -150,7 +174,23 @@ void Simulation::stepDelivery(core::AirFunction const& air) {
                          drop.distance, due.name));
 }
 
+/// Another airframe takes over the place; it carries what it can of the load.
+void Simulation::useChosenAirframe() {
+    if (settings_.pilot.airframe == flown_) return;
+    flown_ = settings_.pilot.airframe;
+    flight::Airframe const& airframe = chosen(hangar_, flown_);
+    flight::AircraftState state = aircraft_.state();
+    payload_ = std::min(payload_, airframe.payloadMax);
+    fuel_ = std::min(fuel_, airframe.fuelMax);
+    state.payload = std::min(state.payload, airframe.payloadMax);
+    state.fuel = std::min(state.fuel, airframe.fuelMax);
+    aircraft_ = flight::Aircraft{airframe, state.payload, state.fuel};
+    aircraft_.restore(state);
+}
+
 void Simulation::respawn() {
+    useChosenAirframe();
+    autopilot_ = {};
     core::AirFunction const air = airAtAnyTime();
     if (aircraft_.state().fuel < kFuelThatFlies) aircraft_.setFuel(std::max(fuel_, kFuelThatFlies));
     aircraft_.respawn(kRespawnHeight, air, world_.ground(), utc());
@@ -171,11 +211,17 @@ core::AirFunction Simulation::airAtAnyTime() const {
 }
 
 Simulation::Moment Simulation::moment() const {
-    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, landingWatch_, landings_, world_.held()};
+    return {aircraft_.state(), before_, delivery_, settings_, sample_, stick_, tick_, clockTick_, clockUtc_, clockRate_, crashed_, landingWatch_, landings_, flown_, autopilot_, payload_, fuel_,
+            world_.held()};
 }
 
 void Simulation::goTo(Moment const& moment) {
+    if (moment.flown != flown_) aircraft_ = flight::Aircraft{chosen(hangar_, moment.flown), moment.aircraft.payload, moment.aircraft.fuel};
     aircraft_.restore(moment.aircraft);
+    flown_ = moment.flown;
+    autopilot_ = moment.autopilot;
+    payload_ = moment.payload;
+    fuel_ = moment.fuel;
     before_ = moment.before;
     delivery_ = moment.delivery;
     settings_ = moment.settings;
@@ -200,6 +246,8 @@ std::string Simulation::stateHash() const {
     flight::forEachNumber(aircraft_.state(), take);
     delivery::forEachNumber(delivery_, take);
     stick_.forEachNumber(take);
+    autopilot_.forEachNumber(take);
+    take(static_cast<double>(flown_));
     take(static_cast<double>(tick_));
     take(utc()), take(clockRate_);
     hash.take(delivery_.randomState());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/flight/aircraft.h"
+#include "engine/flight/autopilot.h"
 #include "game/app/flight_settings.h"
 #include "game/app/inputs.h"
 #include "game/app/landing.h"
@@ -19,6 +20,7 @@ struct FlightStart {
     double altitude = 0.0;  // m above sea level
     double tas = 50.0;      // m/s relative to the local air
     double heading = 0.0;   // clockwise from true north
+    glm::dvec2 eastNorth{0.0};  // m from the origin, in the air
 };
 
 struct SimulationOptions {
@@ -30,7 +32,7 @@ struct SimulationOptions {
 };
 
 /// What a tick brought about, for messages and sounds.
-enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown, landed };
+enum class FlightEvent { released, chuteOpened, delivered, lost, crashed, respawned, touchdown, landed, autopilot };
 struct FlightEventAt {
     FlightEvent event = FlightEvent::released;
     glm::dvec3 positionWorld{0.0};
@@ -40,7 +42,7 @@ struct FlightEventAt {
 class Simulation {
 public:
     /// `world` must outlive the simulation. Throws core::Error when the start lies below the ground.
-    Simulation(World& world, flight::Airframe const& airframe, SimulationOptions const& options);
+    Simulation(World& world, Hangar hangar, SimulationOptions const& options);
     Simulation(Simulation const&) = delete;
     Simulation& operator=(Simulation const&) = delete;
 
@@ -89,11 +91,17 @@ public:
         std::vector<Crash> crashed;
         LandingWatch landingWatch;
         std::vector<Landing> landings;
+        AirframeChoice flown{};
+        flight::AutopilotMemory autopilot;
+        double payload = 0.0, fuel = 0.0;  // kg, of the start
         World::Held weather;
     };
     Moment moment() const;
     /// Of a simulation with the same options. Events not yet taken go.
     void goTo(Moment const& moment);
+
+    /// What the autopilot flies, as the HUD says it; empty: it is off.
+    std::string autopilotText() const;
 
     /// The events since the last call, in order.
     std::vector<FlightEventAt> takeEvents();
@@ -105,16 +113,21 @@ private:
     core::AirFunction airAtAnyTime() const;
     void startFlight(SimulationOptions const& options);
     void releaseParcel();
+    void switchAutopilot(bool on);
+    void useChosenAirframe();
     void respawn();
     void stepAircraft(ui::Stick::Action const& action, core::AirFunction const& air);
     void stepDelivery(core::AirFunction const& air);
     void note(FlightEvent event, glm::dvec3 const& positionWorld, std::string text = {});
 
     World& world_;
+    Hangar hangar_;
+    AirframeChoice flown_;
     flight::Aircraft aircraft_;
     flight::AircraftState before_;
     delivery::Delivery delivery_;
     FlightSettings settings_;
+    flight::AutopilotMemory autopilot_;
     ui::InputSample sample_;
     ui::Stick stick_;
     long long tick_ = 0;

@@ -55,6 +55,7 @@ void SoundStage::note(FlightEventAt const& event) {
             return add(Event::touchdown, true);
         case FlightEvent::landed:
         case FlightEvent::respawned:
+        case FlightEvent::autopilot:
             return;
     }
 }

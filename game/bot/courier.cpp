@@ -12,7 +12,8 @@ constexpr double kDropHeight = 160.0;     // m above the zone
 constexpr double kClearance = 120.0;      // m above everything on the way
 constexpr double kLookAhead = 4000.0;     // m
 constexpr double kSteepestClimb = 0.055;  // path slope the loaded aircraft keeps up
-constexpr double kCruise = 46.0;          // m/s, indicated
+constexpr double kCruise = 1.753;         // stalls, indicated
+constexpr double kSlowest = 1.258;        // stalls, below which the nose goes down
 constexpr double kTurnBack = 1100.0;      // m from the zone before another run
 constexpr double kSteepestBank = 0.62;    // rad
 constexpr double kGoodRelease = 25.0;     // m from the centre
@@ -42,7 +43,8 @@ glm::dvec2 predictedLanding(ui::HudState const& hud) {
 }
 }  // namespace
 
-Courier::Courier(core::GroundFunction ground) : ground_{std::move(ground)} {}
+Courier::Courier(core::GroundFunction ground, double stallSpeed)
+    : ground_{std::move(ground)}, cruise_{kCruise * stallSpeed}, slowest_{kSlowest * stallSpeed} {}
 
 ui::InputSample Courier::decide(ui::HudState const& hud) {
     Aim const wanted = aim(hud);
@@ -115,10 +117,10 @@ ui::DirectStick Courier::fly(ui::HudState const& hud, Aim const& aim) const {
     double const speed = std::max(speedOverGround(hud), 20.0);
     double const climb = std::clamp(0.16 * (aim.altitude - hud.positionWorld.y), -4.0, 4.0);
     // Speed comes first: too slow, and the nose goes down whatever the altitude.
-    double const affordable = std::clamp((hud.indicatedSpeed - 33.0) * 0.8, -3.0, 6.0);
+    double const affordable = std::clamp((hud.indicatedSpeed - slowest_) * 0.8, -3.0, 6.0);
     double const slope = (std::min(climb, affordable) - hud.velocityWorld.y) / speed;
     ui::DirectStick stick;
-    stick.throttle = std::clamp(0.62 + 0.06 * (kCruise - hud.indicatedSpeed) + 0.09 * climb, 0.0, 1.0);
+    stick.throttle = std::clamp(0.62 + 0.06 * (cruise_ - hud.indicatedSpeed) + 0.09 * climb, 0.0, 1.0);
     stick.elevator = std::clamp(2.4 * slope, -0.5, 0.5);
     stick.aileron = std::clamp(1.6 * (bank - hud.roll), -1.0, 1.0);
     return stick;

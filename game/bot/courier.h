@@ -2,19 +2,16 @@
 // windscreen, and acts through the input layer 20 times a second.
 #pragma once
 #include "engine/core/environment.h"
-#include "engine/core/frames.h"
-#include "game/ui/hud.h"
-#include "game/ui/input.h"
+#include "game/bot/pilot.h"
 
 namespace luftpost::bot {
-inline constexpr int kTicksPerDecision = core::kTicksPerSecond / 20;
 
-class Courier {
+class Courier : public Pilot {
 public:
-    explicit Courier(core::GroundFunction ground);
+    /// `stallSpeed` of the airframe, m/s: its speeds are so many times that.
+    Courier(core::GroundFunction ground, double stallSpeed);
 
-    /// What the hands do until the next decision.
-    ui::InputSample decide(ui::HudState const& hud);
+    ui::InputSample decide(ui::HudState const& hud) override;
 
 private:
     struct Aim {
@@ -28,6 +25,7 @@ private:
     ui::DirectStick fly(ui::HudState const& hud, Aim const& aim) const;
 
     core::GroundFunction ground_;
+    double cruise_, slowest_;  // m/s, indicated
     bool outbound_ = false;  // passed the zone without a good release: flies on, then turns back
     int evading_ = 0;        // side of the turn that avoids terrain: -1 left, +1 right
     glm::dvec2 outboundCourse_{0.0, 1.0};

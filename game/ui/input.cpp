@@ -96,8 +96,9 @@ Stick::Action Stick::step(InputSample const& sample, InputSettings const& settin
         followKeys(sample, settings);
     respawnTicks_ = sample.held(FlightKey::respawn) ? respawnTicks_ + 1 : 0;
     constexpr int kHeldTicks = static_cast<int>(kRespawnSeconds * core::kTicksPerSecond);
-    Action const action{controls_, sample.held(FlightKey::drop) && !before_.held(FlightKey::drop),
-                        respawnTicks_ == kHeldTicks};
+    auto const pressed = [&](FlightKey key) { return sample.held(key) && !before_.held(key); };
+    Action const action{controls_, pressed(FlightKey::drop), respawnTicks_ == kHeldTicks,
+                        pressed(FlightKey::autopilot)};
     before_ = sample;
     return action;
 }

@@ -28,6 +28,7 @@ enum class FlightKey : unsigned {
     trimYawLeft,
     trimYawRight,
     trimNeutral,
+    autopilot,
     count
 };
 
@@ -81,6 +82,7 @@ public:
         flight::Controls controls;
         bool drop = false;     // the key went down in this tick
         bool respawn = false;  // held long enough in this tick
+        bool autopilot = false;  // the key went down in this tick
     };
     Action step(InputSample const& sample, InputSettings const& settings);
 
@@ -89,6 +91,8 @@ public:
         controls_.throttle = throttle;
         controls_.elevatorTrim = controls_.rudderTrim = 0.0;
     }
+    /// Another hand, the autopilot's, moves the lever.
+    void setThrottle(double throttle) { controls_.throttle = throttle; }
     flight::Controls const& controls() const { return controls_; }
 
     template <class Take>

@@ -75,7 +75,8 @@ TEST(BadInput, IsFoundInEveryOption) {
     expectRefused(kFly + "--fuel lots", {"--fuel", "lots"});
     expectRefused(kFly + "--workers 0", {"--workers"});
     expectRefused(kFly + "--frame-rate 0", {"--frame-rate"});
-    expectRefused(kFly + "--bot ace", {"--bot", "courier", "ace"});
+    expectRefused(kFly + "--bot ace", {"--bot", "courier", "circuit", "card:NAME", "ace"});
+    expectRefused(kFly + "--bot card:loop", {"--bot", "stall, glide, climb", "crosswind", "card:loop"});
     expectRefused(kFly + "--seed -1", {"--seed"});
     expectRefused(kFly + "--seed 1.5", {"--seed"});
     expectRefused(kFly + "--time 2023-06-23", {"--time", "2021-06-28T16:00Z"});
@@ -93,6 +94,9 @@ TEST(BadInput, IsAnOptionThatContradictsAnother) {
     std::string const file = (scratch() / "one").string();
     expectRefused(kFly + "--log '" + file + "' --report '" + file + "'", {"--report", file.c_str(), "--log"});
     expectRefused(kFly + "--log one.csv --report ./one.csv", {"--report", "--log"});
+    expectRefused(kFly + "--bot card:stall --start runway", {"--start", "card:stall"});
+    for (char const* other : {"--assist easy", "--set aircraft.assist=light"})
+        expectRefused(kFly + "--bot card:stall " + other, {"--assist", "sim", "card:stall"});
     expectRefused("weather preset:fair --weather preset:storm", {"--weather", "preset:fair"});
     expectRefused("sky --plan 5 --exposure 1 -o x.exr", {"--plan", "--exposure"});
     for (char const* other : {"--weather preset:calm", "--place 1,2", "--time 2023-06-23T18:40Z", "--seed 2"})

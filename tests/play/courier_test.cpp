@@ -26,6 +26,13 @@ TEST_P(Courier, DeliversWithinTenMinutesAndDoesNotCrash) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, Courier, testing::Values(1, 2, 3));
 
+TEST(Bot, DeliversWithTheFreightPlane) {
+    auto const report = flight(kBot + "--seconds 240 --set aircraft.airframe=freight_plane --payload 560");
+    EXPECT_GE(report["deliveries"], 1);
+    EXPECT_EQ(report["crashes"], 0);
+    EXPECT_EQ(report["changed"]["aircraft.airframe"], "freight_plane");
+}
+
 TEST(Bot, DeliversInEveryAssist) {
     for (char const* assist : {"sim", "light", "easy"}) {
         auto const report = flight(kBot + "--seconds 120 --assist " + assist);

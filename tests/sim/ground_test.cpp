@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/flight/trim.h"
-#include "tests/sim/cards.h"
+#include "tests/sim/test_flight.h"
 
 namespace luftpost::flight {
 namespace {

@@ -73,6 +73,7 @@ public:
     AssistLevel assist = AssistLevel::sim;
     AssistSettings settings;
     double time = 0.0;
+    double startsWithIce = 0.0;  // kg, of a card
 };
 
 inline double knots(double metresPerSecond) { return metresPerSecond / core::kMetresPerSecondPerKnot; }

@@ -5,6 +5,7 @@
 #include "engine/core/frames.h"
 #include "engine/flight/aircraft.h"
 #include "engine/platform/paths.h"
+#include "game/app/hangar.h"
 #include "game/app/instruments.h"
 
 namespace {
@@ -18,7 +19,7 @@ flight::AircraftState dropped(glm::dquat const& worldFromBody, glm::dvec3 const&
     auto const ground = [surface](double, double) {
         return core::GroundSample{0.0, {0.0, 1.0, 0.0}, surface};
     };
-    flight::Aircraft aircraft{flight::loadAirframe(platform::dataFile(app::kAirframeFile)), 240.0, 60.0};
+    flight::Aircraft aircraft{chosen(app::loadHangar(), app::AirframeChoice::mailPlane), 240.0, 60.0};
     aircraft.startInAir({0.0, 300.0, 0.0}, 0.0, 45.0, stillAir, ground, 0.0);
     flight::AircraftState state = aircraft.state();
     state.positionWorld = {0.0, 4.5, 0.0};
@@ -35,7 +36,7 @@ glm::dquat about(double x, double y, double z, double angle_deg) {
 }
 
 TEST(Crash, IsWhatEndsALandingOnTheBackOnASideOrOnTheNoseAndSaysWhy) {
-    flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(app::kAirframeFile));
+    flight::Airframe const airframe = chosen(app::loadHangar(), app::AirframeChoice::mailPlane);
     for (double roll_deg : {70.0, 110.0, 150.0, 180.0, -180.0, -120.0, -80.0})
         for (double speed : {0.0, 20.0}) {
             flight::AircraftState const state = dropped(about(1.0, 0.0, 0.0, roll_deg), {speed, -1.0, 0.0});
@@ -47,7 +48,7 @@ TEST(Crash, IsWhatEndsALandingOnTheBackOnASideOrOnTheNoseAndSaysWhy) {
 }
 
 TEST(Crash, HasAReasonForHardLandingsStrikesAndWater) {
-    flight::Airframe const airframe = flight::loadAirframe(platform::dataFile(app::kAirframeFile));
+    flight::Airframe const airframe = chosen(app::loadHangar(), app::AirframeChoice::mailPlane);
     flight::AircraftState const hard = dropped(about(1.0, 0.0, 0.0, 0.0), {30.0, -6.0, 0.0});
     EXPECT_EQ(hard.crash, flight::CrashReason::hardLanding);
     EXPECT_NE(flight::crashText(airframe, hard).find("too hard"), std::string::npos);

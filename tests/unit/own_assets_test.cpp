@@ -79,9 +79,7 @@ TEST(PlaneModel, HasTheMovingNodesWithTheirPivots) {
     EXPECT_GT(bounds(plane, "aileron_right").low.z, 0.0f);
 }
 
-TEST(PlaneModel, StandsOnTheWheelsOfTheAirframe) {
-    assets::Model const plane = model("plane");
-    flight::Airframe const airframe = flight::loadAirframe(kAssets / "airframes" / "mail_plane.json");
+void expectOnTheWheelsOf(flight::Airframe const& airframe, assets::Model const& plane) {
     std::pair<char const*, char const*> const wheels[] = {{"nose wheel", "wheel_nose"}, {"left wheel", "wheel_left"}, {"right wheel", "wheel_right"}};
     for (auto const& [ofAirframe, ofModel] : wheels) {
         auto const wheel = std::find_if(airframe.wheels.begin(), airframe.wheels.end(), [&, name = ofAirframe](auto const& w) { return w.name == name; });
@@ -91,6 +89,11 @@ TEST(PlaneModel, StandsOnTheWheelsOfTheAirframe) {
         EXPECT_NEAR(0.5f * (b.low.x + b.high.x), wheel->position.x, 0.05) << ofModel;
         EXPECT_NEAR(0.5f * (b.low.z + b.high.z), wheel->position.z, 0.05) << ofModel;
     }
+}
+
+TEST(PlaneModel, StandsOnTheWheelsOfEveryAirframe) {
+    for (char const* file : {"mail_plane.json", "freight_plane.json"})
+        expectOnTheWheelsOf(flight::loadAirframe(kAssets / "airframes" / file), model("plane"));
 }
 
 TEST(PlaneModel, LeavesThePilotAFreeViewAhead) {

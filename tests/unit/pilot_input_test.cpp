@@ -6,6 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/platform/paths.h"
+#include "game/app/hangar.h"
 #include "game/app/flight_plan.h"
 #include "game/app/instruments.h"
 #include "game/app/session.h"
@@ -28,7 +29,7 @@ Replay readBack(std::string const& text) {
     std::filesystem::path const file =
         std::filesystem::path{testing::TempDir()} / "luftpost_pilot_input.replay";
     core::writeFileAtomically(file, text);
-    return readReplay(file, flight::loadAirframe(platform::dataFile(kAirframeFile)));
+    return readReplay(file, loadHangar());
 }
 
 /// A pilot with a lever, a mouse and a hand on the trim.

@@ -64,6 +64,7 @@ TEST(SettingsPage, ShowsEverySettingOnceAndEveryGroupOnce) {
 TEST(SettingsTable, HasARowForEveryMember) {
     EXPECT_TRUE(everyMemberHasARow<app::PilotSettings>(app::pilotFields));
     EXPECT_TRUE(everyMemberHasARow<flight::AssistSettings>(flight::assistFields));
+    EXPECT_TRUE(everyMemberHasARow<flight::AutopilotSettings>(flight::autopilotFields));
     EXPECT_TRUE(everyMemberHasARow<ui::InputSettings>(ui::inputFields));
     EXPECT_TRUE(everyMemberHasARow<weather::CloudSettings>(weather::cloudFields));
     EXPECT_TRUE(everyMemberHasARow<render::GraphicsSettings>(render::graphicsFields));
@@ -72,7 +73,7 @@ TEST(SettingsTable, HasARowForEveryMember) {
     EXPECT_TRUE(everyMemberHasARow<audio::AudioSettings>(audio::audioFields));
     EXPECT_TRUE(everyMemberHasARow<ui::MouseSettings>(ui::mouseFields));
     EXPECT_EQ(memberCount<Settings>(), 8u) << "a new group needs its lines here and in settingList";
-    EXPECT_EQ(memberCount<app::FlightSettings>(), 4u) << "and in appendFlightSettings";
+    EXPECT_EQ(memberCount<app::FlightSettings>(), 5u) << "and in appendFlightSettings";
 }
 
 TEST(SettingsTable, MovesOneMemberWithEachKey) {

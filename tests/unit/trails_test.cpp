@@ -1,5 +1,6 @@
 // Dust, spray and vapour are there where they belong and nowhere else; the trial of the settings flies what
 // is set.
+#include "game/app/hangar.h"
 #include "game/app/trails.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using namespace luftpost;
 using namespace luftpost::app;
 
 struct Field {
-    flight::Airframe airframe = flight::loadAirframe(platform::dataFile(kAirframeFile));
+    flight::Airframe airframe = chosen(loadHangar(), AirframeChoice::mailPlane);
     flight::AircraftState state;
     core::AirSample air;
     core::Surface surface = core::Surface::grass;
@@ -103,7 +104,7 @@ TEST(Trails, StandStillWhilePaused) {
 
 /// The trial flown to its end.
 ui::ResponseCurves flown(flight::AssistSettings const& assist) {
-    ResponseTrial trial{flight::loadAirframe(platform::dataFile(kAirframeFile))};
+    ResponseTrial trial{chosen(loadHangar(), AirframeChoice::mailPlane)};
     for (int i = 0; i < 40; ++i) trial.follow({}, assist, 320);
     return trial.curves();
 }

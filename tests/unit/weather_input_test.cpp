@@ -41,7 +41,7 @@ std::filesystem::path replayFile(std::string const& text) {
 }
 
 Replay readBack(std::string const& text) {
-    return readReplay(replayFile(text), flight::loadAirframe(platform::dataFile(kAirframeFile)));
+    return readReplay(replayFile(text), loadHangar());
 }
 
 void fly(Session& session, int ticks) {
@@ -87,7 +87,7 @@ TEST(WeatherInput, IsReadStrictly) {
 }
 
 TEST(WeatherInput, ActsFromItsTickAndFliesTheSameAgain) {
-    Session flown{{planOf("calm"), {}, false, false, false}};
+    Session flown{{planOf("calm"), {}, {}, false, false}};
     fly(flown, 100);
     EXPECT_EQ(flown.enterOffered(), std::nullopt);
     flown.offerWeather(liveStorm());
@@ -102,16 +102,16 @@ TEST(WeatherInput, ActsFromItsTickAndFliesTheSameAgain) {
     EXPECT_EQ(replay.inputs[0].tick, 100);
     EXPECT_EQ(replay.inputs[1].tick, 400);
 
-    Session again{{replay.plan, replay.inputs, false, false, false}};
+    Session again{{replay.plan, replay.inputs, {}, false, false}};
     fly(again, 700);
     EXPECT_EQ(again.simulation().stateHash(), flown.simulation().stateHash());
-    Session other{{replay.plan, {}, false, false, false}};
+    Session other{{replay.plan, {}, {}, false, false}};
     fly(other, 700);
     EXPECT_NE(other.simulation().stateHash(), flown.simulation().stateHash()) << "the weather moves the aircraft";
 }
 
 TEST(WeatherInput, OfSeveralInARowTheLastCountsAndABrokenOneIsSaid) {
-    Session session{{planOf("calm"), {}, false, false, false}};
+    Session session{{planOf("calm"), {}, {}, false, false}};
     for (char const* preset : {"fair", "broken", "overcast", "storm"})
         session.offerWeather({.source = preset, .recording = presetText(preset), .mode = weather::SourceMode::Preset, .seconds = kHandSeconds});
     waitForWeather(session, "storm");

@@ -1,0 +1,106 @@
+// Autopilot and airframe act as stamped inputs: by key and by setting, and a replay is the same flight.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "engine/core/file.h"
+#include "game/app/session.h"
+
+namespace luftpost::app {
+namespace {
+FlightPlan calmPlan() {
+    FlightPlan plan;
+    plan.weather.source = "preset:calm";
+    plan.place = {47.0, 8.0, 430.0};
+    plan.simulation.time = 1687545600.0;
+    plan.simulation.start.altitude = 900.0;
+    return plan;
+}
+SessionOptions flown(FlightPlan const& plan) {
+    SessionOptions options;
+    options.plan = plan;
+    return options;
+}
+void fly(Session& session, double seconds) {
+    for (int i = 0; i < seconds * core::kTicksPerSecond; ++i) session.tick();
+}
+ui::InputSample withKeys(std::initializer_list<ui::FlightKey> keys) {
+    ui::InputSample sample;
+    for (ui::FlightKey key : keys) sample.hold(key);
+    return sample;
+}
+void pressAutopilot(Session& session) {
+    session.input(withKeys({ui::FlightKey::autopilot}));
+    fly(session, 0.1);
+    session.input(ui::InputSample{});
+}
+std::string hashOfReplay(Session const& session) {
+    std::filesystem::path const file = std::filesystem::path{testing::TempDir()} / "luftpost_autopilot.replay";
+    core::writeFileAtomically(file, replayText(session.replay()));
+    Replay replay = readReplay(file, loadHangar());
+    SessionOptions options = flown(replay.plan);
+    options.script = replay.inputs;
+    Session again{options};
+    while (again.simulation().tick() < replay.ticks) again.tick();
+    return again.simulation().stateHash();
+}
+}  // namespace
+
+TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
+    Session session{flown(calmPlan())};
+    pressAutopilot(session);
+    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft");
+    session.input(SettingInput{"aircraft.autopilotAltitude", 3281.0});
+    session.input(SettingInput{"aircraft.autopilotCourse", std::string{"heading"}});
+    session.input(SettingInput{"aircraft.autopilotHeading", 90.0});
+    fly(session, 90.0);
+    EXPECT_NEAR(session.simulation().aircraft().state().positionWorld.y, 1000.0, 3.0);
+    EXPECT_NEAR(core::degrees(session.simulation().aircraft().state().readings.heading), 90.0, 2.0);
+    EXPECT_EQ(hashOfReplay(session), session.simulation().stateHash());
+    pressAutopilot(session);
+    EXPECT_EQ(session.simulation().autopilotText(), "");
+}
+
+TEST(AutopilotInput, GivesTheStickToWhoMovesIt) {
+    Session session{flown(calmPlan())};
+    pressAutopilot(session);
+    fly(session, 5.0);
+    session.input(withKeys({ui::FlightKey::rollRight}));
+    fly(session, 0.5);
+    EXPECT_EQ(session.simulation().autopilotText(), "");
+    EXPECT_GT(session.simulation().aircraft().state().readings.roll, 0.05);
+}
+
+TEST(AutopilotInput, FliesToTheDropZoneInEveryAssistAndAirframe) {
+    for (AirframeChoice airframe : {AirframeChoice::mailPlane, AirframeChoice::freightPlane})
+        for (flight::AssistLevel assist : {flight::AssistLevel::sim, flight::AssistLevel::easy}) {
+            FlightPlan plan = calmPlan();
+            plan.simulation.settings.pilot = {airframe, assist};
+            plan.simulation.settings.autopilot.course = flight::AutopilotCourse::target;
+            Session session{flown(plan)};
+            pressAutopilot(session);
+            double nearest = 1.0e9;
+            for (int i = 0; i < 240 && nearest > 60.0; ++i) {
+                fly(session, 0.5);
+                delivery::DropZone const& zone = session.simulation().delivery().target();
+                glm::dvec3 const& at = session.simulation().aircraft().state().positionWorld;
+                nearest = std::min(nearest, std::hypot(at.x - zone.east, -at.z - zone.north));
+            }
+            EXPECT_LT(nearest, 60.0) << static_cast<int>(airframe) << " " << static_cast<int>(assist);
+        }
+}
+
+TEST(AirframeInput, ActsFromTheNextRespawnAndTheReplayHasIt) {
+    Session session{flown(calmPlan())};
+    session.input(SettingInput{"aircraft.airframe", std::string{"freight_plane"}});
+    fly(session, 1.0);
+    EXPECT_EQ(session.simulation().aircraft().airframe().name, "Mail plane");
+    session.input(withKeys({ui::FlightKey::respawn}));
+    fly(session, 1.0);
+    EXPECT_EQ(session.simulation().aircraft().airframe().name, "Freight plane");
+    fly(session, 20.0);
+    EXPECT_EQ(session.simulation().crashes(), 0);
+    EXPECT_EQ(hashOfReplay(session), session.simulation().stateHash());
+}
+}  // namespace luftpost::app
