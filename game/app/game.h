@@ -67,6 +67,7 @@ private:
     void takePicture();
     void obeyFlying(ui::DeviceReading const& reading);
     void obeyView(ui::DeviceReading const& reading);
+    core::SettingList viewersSettings() const;
     void obeyReplay(ui::DeviceReading const& reading);
     void drawReplay();
     void jumped();

@@ -65,6 +65,13 @@ void Game::obeyView(ui::DeviceReading const& reading) {
     if (reading.pressed(Command::picture)) takePicture();
 }
 
+/// Those that do not change the flight: a replay keeps its own.
+core::SettingList Game::viewersSettings() const {
+    core::SettingList settings = list_;
+    std::erase_if(settings, [](core::Setting const& setting) { return changesFlight(std::string{setting.key}) || setting.key.starts_with("weather."); });
+    return settings;
+}
+
 void Game::obeyReplay(ui::DeviceReading const& reading) {
     using ui::Command;
     obeyView(reading);
@@ -150,7 +157,8 @@ void Game::saveStudioPicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
+    if (configOpen_ && replay_) answerConfig(ui::drawConfigMenu(viewersSettings(), std::nullopt));
+    else if (configOpen_) answerConfig(ui::drawConfigMenu(list_, menuWeather(), std::exchange(weatherPage_, false)));
     if (pauseOpen_) answerPause(ui::drawPauseMenu());
     if (keysOpen_ && ui::drawKeysPage(ui::keyHelp())) keysOpen_ = false;
 }
@@ -187,7 +195,6 @@ void Game::leavePreset(std::string const& key) {
 void Game::change(ui::SettingChange const& wanted) {
     core::Setting* const setting = core::findSetting(list_, wanted.key);
     if (!setting || setting->get() == wanted.value) return;
-    if (replay_ && (changesFlight(wanted.key) || wanted.key.starts_with("weather."))) return complain("A replay keeps the flight's own settings");
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
@@ -231,7 +238,6 @@ ui::MenuWeather Game::menuWeather() {
 }
 
 void Game::answerWeather(ui::WeatherAnswer const& answer) {
-    if (replay_) return;  // it keeps its own
     // Another weather than the feed's ends it: it would come back with the next arrival.
     if (answer.source) change({"weather.live", *answer.source == kLiveSource});
     if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});

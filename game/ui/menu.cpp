@@ -163,9 +163,9 @@ void drawPage(core::SettingList const& settings, Page const& page, ConfigAnswer&
     ImGui::EndTabItem();
 }
 
-void drawPages(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage, ConfigAnswer& answer) {
+void drawPages(core::SettingList const& settings, std::optional<MenuWeather> const& weather, bool weatherPage, ConfigAnswer& answer) {
     drawPage(settings, kPages[0], answer);
-    drawWeatherPage(weather, weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
+    if (weather) drawWeatherPage(*weather, weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
     for (Page const& page : kPages)
         if (&page != &kPages[0]) drawPage(settings, page, answer);
     std::vector<std::string_view> others;
@@ -231,7 +231,7 @@ void drawKeyGroup(std::string const& group, std::span<KeyHelp const> rows) {
 }
 }  // namespace
 
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage) {
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, std::optional<MenuWeather> const& weather, bool weatherPage) {
     ConfigAnswer answer;
     ImVec2 const size = ImGui::GetIO().DisplaySize;
     float const width = std::min(506.0f * unit(), size.x - 20.0f), top = 84.0f * unit();

@@ -25,8 +25,8 @@ struct ConfigAnswer {
 };
 
 /// The config menu at the right of the screen: flight goes on beside it. Pages are the groups of the keys ("clouds.hg"
-/// belongs to "clouds"); which one is open is kept by Dear ImGui, unless `weatherPage` brings that one to the front.
-ConfigAnswer drawConfigMenu(core::SettingList const& settings, MenuWeather const& weather, bool weatherPage = false);
+/// belongs to "clouds"); which one is open is kept by Dear ImGui, unless `weatherPage` brings that one to the front. Without weather there is no such page.
+ConfigAnswer drawConfigMenu(core::SettingList const& settings, std::optional<MenuWeather> const& weather, bool weatherPage = false);
 
 enum class PauseChoice { none, resume, studio, config, keys, restart, quit };
 /// The pause menu in the middle of the screen.
