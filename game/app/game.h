@@ -101,6 +101,7 @@ private:
     Settings settings_;
     core::SettingList list_;
     StoredSettings stored_;
+    std::optional<ReplayView> replay_;  // of a replay that is watched; the session may have weather of its reel
     std::unique_ptr<Session> session_;
     std::shared_ptr<WeatherFeed> feed_;  // of live weather
     render::Renderer renderer_;
@@ -116,7 +117,6 @@ private:
     WeatherDesk desk_;
     std::optional<PhotoBox> photo_;  // of --photo
     std::optional<Studio> studio_;   // while it is open
-    std::optional<ReplayView> replay_;  // of a replay that is watched
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;
