@@ -24,7 +24,6 @@ void TiledPicture::step() {
     }
     if (finished_ || !written()) return;
     writing_.get();
-    writer_.finish();
     finished_ = true;
 }
 
@@ -50,7 +49,11 @@ void TiledPicture::keep(Band& band, Band const& part, Tile const& tile) {
 template <class Band>
 void TiledPicture::hand(Band& band) {
     if (writing_.valid()) writing_.get();
-    writing_ = std::async(std::launch::async, [this, rows = std::move(band)] { writer_.add(rows); });
+    bool const last = next_ == tiles_.size();
+    writing_ = std::async(std::launch::async, [this, last, rows = std::move(band)] {
+        writer_.add(rows);
+        if (last) writer_.finish();
+    });
     band = {};
 }
 

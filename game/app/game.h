@@ -74,6 +74,7 @@ private:
     void takePicture();
     void obeyFlying(ui::DeviceReading const& reading);
     void obeyView(ui::DeviceReading const& reading);
+    core::SettingList viewersSettings() const;
     void obeyReplay(ui::DeviceReading const& reading);
     void drawReplay();
     void jumped();
@@ -108,6 +109,7 @@ private:
     Settings settings_;
     core::SettingList list_;
     StoredSettings stored_;
+    std::optional<ReplayView> replay_;  // of a replay that is watched; the session may have weather of its reel
     std::unique_ptr<Session> session_;
     std::shared_ptr<WeatherFeed> feed_;  // of live weather
     render::Renderer renderer_;
@@ -126,7 +128,6 @@ private:
     WeatherDesk desk_;
     std::optional<PhotoBox> photo_;  // of --photo
     std::optional<Studio> studio_;   // while it is open
-    std::optional<ReplayView> replay_;  // of a replay that is watched
     ui::AirProbe air_;
     delivery::Career career_;
     render::DebugViews debug_;

@@ -68,6 +68,13 @@ void Game::obeyView(ui::DeviceReading const& reading) {
     if (reading.pressed(Command::picture)) takePicture();
 }
 
+/// Those that do not change the flight: a replay keeps its own.
+core::SettingList Game::viewersSettings() const {
+    core::SettingList settings = list_;
+    std::erase_if(settings, [](core::Setting const& setting) { return changesFlight(std::string{setting.key}) || setting.key.starts_with("weather."); });
+    return settings;
+}
+
 void Game::obeyReplay(ui::DeviceReading const& reading) {
     using ui::Command;
     obeyView(reading);
@@ -158,12 +165,14 @@ void Game::saveStudioPicture() {
 }
 
 void Game::drawPages() {
-    if (configOpen_) {
+    if (configOpen_ && replay_) {
+        answerConfig(ui::drawConfigMenu(viewersSettings(), {std::nullopt, settings_.bindings, bindingsPage_, input_}));
+    } else if (configOpen_) {
         constexpr int kTrialTicks = 480;  // a frame: some three milliseconds
         if (!response_) response_.emplace(session_->simulation().aircraft().airframe());
         response_->follow(settings_.flight.pilot, settings_.flight.assist, kTrialTicks);
-        ui::MenuWeather const weather = menuWeather();
-        answerConfig(ui::drawConfigMenu(list_, {weather, settings_.bindings, bindingsPage_, input_, std::exchange(weatherPage_, false), &response_->curves()}));
+        answerConfig(ui::drawConfigMenu(
+            list_, {menuWeather(), settings_.bindings, bindingsPage_, input_, std::exchange(weatherPage_, false), &response_->curves()}));
     } else {
         response_.reset();
         bindingsPage_.giveUp();
@@ -204,7 +213,6 @@ void Game::leavePreset(std::string const& key) {
 void Game::change(ui::SettingChange const& wanted) {
     core::Setting* const setting = core::findSetting(list_, wanted.key);
     if (!setting || setting->get() == wanted.value) return;
-    if (replay_ && (changesFlight(wanted.key) || wanted.key.starts_with("weather."))) return complain("A replay keeps the flight's own settings");
     leavePreset(wanted.key);
     setting->set(wanted.value);
     if (changesFlight(wanted.key)) session_->input(SettingInput{wanted.key, wanted.value});
@@ -249,7 +257,6 @@ ui::MenuWeather Game::menuWeather() {
 }
 
 void Game::answerWeather(ui::WeatherAnswer const& answer) {
-    if (replay_) return;  // it keeps its own
     // Another weather than the feed's ends it: it would come back with the next arrival.
     if (answer.source) change({"weather.live", *answer.source == kLiveSource});
     if (answer.hand || answer.startFromHere || answer.hour) change({"weather.live", false});

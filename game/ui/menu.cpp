@@ -174,7 +174,7 @@ void drawKeysTab(ConfigPages const& pages, ConfigAnswer& answer) {
 
 void drawPages(core::SettingList const& settings, ConfigPages const& pages, ConfigAnswer& answer) {
     drawPage(settings, kPages[0], answer, pages.response);
-    drawWeatherPage(pages.weather, pages.weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
+    if (pages.weather) drawWeatherPage(*pages.weather, pages.weatherPage, answer.weather, [&] { drawPage(settings, kLivePage, answer); });
     for (Page const& page : kPages)
         if (&page != &kPages[0]) drawPage(settings, page, answer);
     drawKeysTab(pages, answer);

@@ -22,7 +22,7 @@ struct ConfigAnswer {
 
 /// What the config menu shows beside the settings themselves.
 struct ConfigPages {
-    MenuWeather const& weather;
+    std::optional<MenuWeather> weather;  // none: no such page
     Bindings const& bindings;
     BindingsPage& bindingsPage;
     platform::Input const* input = nullptr;  // none without a window

@@ -72,6 +72,14 @@ TEST(Replay, IsTheFlightAgainAtAnyFrameRate) {
     EXPECT_EQ(again["changed"]["aircraft.rollSpeed"], 45.0);
 }
 
+TEST(Replay, OpensNoWindowWhereThereIsNoneOrNobodyWantsIt) {
+    std::string const file = "'" + (scratch() / "flight.replay").string() + "'";
+    flight(kBot + "--seconds 2 --weather preset:calm --save-replay " + file);
+    EXPECT_EQ(luftpost::tests::run("replay " + file, "DISPLAY= WAYLAND_DISPLAY=").code, 0);
+    EXPECT_EQ(luftpost::tests::run("replay --headless " + file, "DISPLAY=:4711").code, 0);
+    EXPECT_NE(luftpost::tests::run("replay " + file, "DISPLAY=:4711").code, 0) << "a display that does not answer";
+}
+
 TEST(Replay, FindsItsRecordingFromAnyFolder) {
     auto const folder = scratch();
     std::filesystem::copy_file(
