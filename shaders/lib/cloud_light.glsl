@@ -50,11 +50,12 @@ GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0
 
 GLSL_CONST float kForward = 1.45f;
 GLSL_CONST float kForwardTurns = 0.35f; // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.3f;
+GLSL_CONST float kFewTurns = 1.12f;
 GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
 GLSL_CONST float kFewFade = 0.3f;
 GLSL_CONST float kManyTurns = 0.48f;
 GLSL_CONST float kManyFront = 0.4f;    // light comes in on other ways than the straight one: the depth of the face counts less
+GLSL_CONST float kManyFresh = 1.65f;   // light at a lit face that has yet to be scattered
 GLSL_CONST float kManySides = 4.0f;    // loss through the sides, by depth over width
 GLSL_CONST float kManyLeakFade = 1.3f; // near a face that is not lit
 GLSL_CONST float kFromAbove = 0.56f;
@@ -76,7 +77,7 @@ GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth,
     float narrow = kManySides * toLight / (wide + 2.0f);
     float sides = 1.0f / (1.0f + narrow * narrow);
     float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
-    float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - 2.0f * exp(-s * toLight);
+    float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
     float many = kManyTurns * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
