@@ -19,11 +19,11 @@ struct AutopilotSettings {
 inline constexpr std::tuple autopilotFields{
     core::Field{&AutopilotSettings::course, "aircraft.autopilotCourse", kAutopilotCourseWords,
                 "What the autopilot steers: the heading it was engaged on, the heading below, or to the target (the drop zone)"},
-    core::Field{&AutopilotSettings::heading_deg, "aircraft.autopilotHeading", 0.0, 360.0,
+    core::Field{&AutopilotSettings::heading_deg, "aircraft.autopilotHeading_deg", 0.0, 360.0,
                 "Heading of the autopilot in degrees from true north, where the course says so"},
-    core::Field{&AutopilotSettings::altitude_ft, "aircraft.autopilotAltitude", 0.0, 20000.0,
+    core::Field{&AutopilotSettings::altitude_ft, "aircraft.autopilotAltitude_ft", 0.0, 20000.0,
                 "Altitude of the autopilot in feet above sea level; 0: the one where it was engaged"},
-    core::Field{&AutopilotSettings::climb_fpm, "aircraft.autopilotClimb", 100.0, 1500.0,
+    core::Field{&AutopilotSettings::climb_fpm, "aircraft.autopilotClimb_fpm", 100.0, 1500.0,
                 "Fastest climb or descent of the autopilot in feet a minute; the speed comes first"}};
 
 /// What it carries from tick to tick; part of the state hash.

@@ -43,8 +43,8 @@ std::string capitalised(std::string_view text) {
 struct Unit {
     std::string_view suffix, sign;
 };
-constexpr std::array<Unit, 10> kUnits{{{"_deg", "\u00b0"}, {"_dps", "\u00b0/s"}, {"_ev", " EV"}, {"_km", " km"}, {"_m", " m"},
-                                       {"_s", " s"}, {"_kg", " kg"}, {"_kt", " kt"}, {"_ft", " ft"}, {"_mps", " m/s"}}};
+constexpr std::array<Unit, 11> kUnits{{{"_deg", "\u00b0"}, {"_dps", "\u00b0/s"}, {"_ev", " EV"}, {"_km", " km"}, {"_m", " m"},
+                                       {"_s", " s"}, {"_kg", " kg"}, {"_kt", " kt"}, {"_ft", " ft"}, {"_fpm", " ft/min"}, {"_mps", " m/s"}}};
 
 std::string_view unitOf(std::string_view key) {
     for (Unit const& u : kUnits)

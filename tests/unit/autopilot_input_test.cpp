@@ -51,9 +51,9 @@ TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
     Session session{flown(calmPlan())};
     pressAutopilot(session);
     EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft");
-    session.input(SettingInput{"aircraft.autopilotAltitude", 3281.0});
+    session.input(SettingInput{"aircraft.autopilotAltitude_ft", 3281.0});
     session.input(SettingInput{"aircraft.autopilotCourse", std::string{"heading"}});
-    session.input(SettingInput{"aircraft.autopilotHeading", 90.0});
+    session.input(SettingInput{"aircraft.autopilotHeading_deg", 90.0});
     fly(session, 90.0);
     EXPECT_NEAR(session.simulation().aircraft().state().positionWorld.y, 1000.0, 3.0);
     EXPECT_NEAR(core::degrees(session.simulation().aircraft().state().readings.heading), 90.0, 2.0);
