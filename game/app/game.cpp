@@ -94,7 +94,7 @@ void Game::readDevices(FrameStep const& step) {
 
 /// While the mouse is the stick it has no pointer, and menus give it back.
 void Game::holdMouse() {
-    bool const hold = settings_.mouse.flight && input_->focused && !paused() && !configOpen_ && !keysOpen_;
+    bool const hold = settings_.mouse.flight && input_->focused && !paused() && !configOpen_ && !keysOpen_ && !studio_ && !replay_;
     if (hold == mouseHeld_) return;
     mouseHeld_ = hold;
     surface_.captureMouse(hold);
