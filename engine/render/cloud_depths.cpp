@@ -33,7 +33,7 @@ glm::vec3 heightsOf(glsl::CloudBlock const& block) {
 }  // namespace
 
 CloudDepths::CloudDepths(gl::ProgramLibrary& programs)
-    : program_{programs.compute("cloud_depths")},
+    : program_{programs, "cloud_depths"},
       grids_{gl::Format::r16f, {kSide, kSide, kSlices}, 1, "cloud depths"},
       sampler_{{.wrap = gl::Wrap::repeat}, "cloud depths"} {}
 
@@ -53,8 +53,9 @@ void CloudDepths::place(Snapshot const& snapshot, CloudScene& scene) {
 
 void CloudDepths::draw(CloudScene const& scene) {
     if (scene.empty() || scene.block().depthHeights.w < 0.5f) return;
-    program_.use();
-    program_.set("firstRow", whole_ ? 0 : band_ * (kSide / kBands));
+    gl::Program const& program = program_.of(scene);
+    program.use();
+    program.set("firstRow", whole_ ? 0 : band_ * (kSide / kBands));
     grids_.bindImage(0, gl::Access::write);
     gl::dispatch({kSide / 8, (whole_ ? kSide : kSide / kBands) / 8, 2});
     gl::barrier(gl::Barrier::textureFetch);

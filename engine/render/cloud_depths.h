@@ -4,7 +4,7 @@
 #include "engine/gl/program_library.h"
 #include "engine/gl/sampler.h"
 #include "engine/gl/texture.h"
-#include "engine/render/cloud_scene.h"
+#include "engine/render/cloud_program.h"
 
 namespace luftpost::render {
 /// 128 x 128 columns along the light over 24 and 96 km, 32 slices between the lowest base and the highest top each, 2 MB. A texel
@@ -23,7 +23,7 @@ public:
     std::size_t bytes() const { return grids_.bytes(); }
 
 private:
-    gl::Program const& program_;
+    CloudProgram program_;
     gl::Texture3D grids_;
     gl::Sampler sampler_;
     glm::vec3 heights_{0.0f};  // m above sea level, of the lowest and the highest slice and of the plane

@@ -22,9 +22,9 @@ CloudPass::Store::Store(glm::ivec2 const& size)
     : light{gl::Format::rgba16f, size, 1, "cloud light"}, facts{gl::Format::rgba16f, size, 1, "cloud facts"} {}
 
 CloudPass::CloudPass(gl::ProgramLibrary& programs)
-    : marchProgram_{programs.compute("cloud_march")},
+    : marchProgram_{programs, "cloud_march"},
       resolveProgram_{programs.compute("cloud_resolve")},
-      listProgram_{programs.compute("cloud_march_list")},
+      listProgram_{programs, "cloud_march_list"},
       fillProgram_{programs.compute("cloud_fill")},
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
@@ -67,7 +67,7 @@ void CloudPass::march(FrameContext const& context) {
     }
     takeStore(context.targets.size);
     scene_.bind();
-    marchProgram_.use();
+    marchProgram_.of(scene_).use();
     context.targets.depth.bind(0);
     newest().light.bindImage(0, gl::Access::readWrite);
     newest().facts.bindImage(1, gl::Access::readWrite);
@@ -105,7 +105,7 @@ void CloudPass::findAgain(FrameContext const& context) {
 }
 
 void CloudPass::marchAsked() {
-    listProgram_.use();
+    listProgram_.of(scene_).use();
     gl::dispatchIndirect(rays_, offsetof(RayListHead, marchGroups));
     gl::barrier(gl::Barrier::image);
     fillProgram_.use();

@@ -9,6 +9,7 @@
 #include "engine/gl/texture.h"
 #include "engine/render/air_shade.h"
 #include "engine/render/cloud_depths.h"
+#include "engine/render/cloud_program.h"
 #include "engine/render/cloud_scene.h"
 #include "engine/render/cloud_shadow.h"
 #include "engine/render/frame_context.h"
@@ -54,9 +55,9 @@ private:
     Store const& newest() const { return *stores_[static_cast<std::size_t>(newest_)]; }
     Store const& older() const { return *stores_[static_cast<std::size_t>(1 - newest_)]; }
 
-    gl::Program const& marchProgram_;
+    CloudProgram marchProgram_;
     gl::Program const& resolveProgram_;
-    gl::Program const& listProgram_;
+    CloudProgram listProgram_;
     gl::Program const& fillProgram_;
     gl::Program const& compositeProgram_;
     CloudScene scene_;

@@ -8,6 +8,7 @@
 #include "engine/render/cloud_field.h"
 #include "engine/weather/cloud_column.h"
 #include "engine/weather/noise_volume.h"
+#include "shaders/lib/cloud.glsl"
 
 namespace luftpost::render {
 namespace {
@@ -123,6 +124,10 @@ void CloudScene::fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber) 
     block_.light = {snapshot.clouds.hg, snapshot.clouds.powder, snapshot.clouds.shadows ? 1.0f : 0.0f, 0.0f};
     block_.march = {block_.march.x, snapshot.still ? std::max(snapshot.graphics.cloudSteps, kStillSteps) : snapshot.graphics.cloudSteps, static_cast<int>(frameNumber % static_cast<std::uint64_t>(side * side)), side};
     block_.step = {kShortestStep, kStepPerDistance, kReach, static_cast<float>(weatherSeconds)};
+}
+
+bool CloudScene::hasTowers() const {
+    return std::any_of(block_.shapes, block_.shapes + block_.march.x, [](glsl::LayerShape const& shape) { return glsl::hasTowers(shape); });
 }
 
 void CloudScene::update(Snapshot const& snapshot, std::uint64_t frameNumber) {

@@ -30,6 +30,8 @@ public:
     /// The weather's clock has gone so far since the frame before that nothing seen then is worth keeping.
     bool leapt() const { return leapt_; }
     bool empty() const { return block_.march.x == 0; }
+    /// A layer around the camera has towers and an anvil.
+    bool hasTowers() const;
     glsl::CloudBlock const& block() const { return block_; }
     /// Sets where the shadow map lies; update() leaves it as it is.
     void setShadowPlace(glm::vec4 const& place) { block_.shadowPlace = place; }

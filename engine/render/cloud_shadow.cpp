@@ -14,7 +14,7 @@ constexpr unsigned kUnit = 15;
 }  // namespace
 
 CloudShadow::CloudShadow(gl::ProgramLibrary& programs)
-    : program_{programs.compute("cloud_shadow")}, map_{gl::Format::rg16f, {kSize, kSize}, 1, "cloud shadow"}, sampler_{{}, "cloud shadow"} {}
+    : program_{programs, "cloud_shadow"}, map_{gl::Format::rg16f, {kSize, kSize}, 1, "cloud shadow"}, sampler_{{}, "cloud shadow"} {}
 
 void CloudShadow::place(Snapshot const& snapshot, CloudScene& scene) {
     glm::dvec2 const camera{snapshot.camera.positionWorld.x, snapshot.camera.positionWorld.z};
@@ -26,8 +26,9 @@ void CloudShadow::place(Snapshot const& snapshot, CloudScene& scene) {
 
 void CloudShadow::draw(FrameContext const& context, CloudScene const& scene) {
     if (scene.empty() || !context.snapshot.clouds.shadows) return;
-    program_.use();
-    program_.set("firstRow", whole_ ? 0 : band_ * (kSize / kBands));
+    gl::Program const& program = program_.of(scene);
+    program.use();
+    program.set("firstRow", whole_ ? 0 : band_ * (kSize / kBands));
     map_.bindImage(0, gl::Access::write);
     gl::dispatchOver({kSize, whole_ ? kSize : kSize / kBands}, {8, 8});
     gl::barrier(gl::Barrier::textureFetch);

@@ -3,7 +3,7 @@
 #include "engine/gl/program_library.h"
 #include "engine/gl/sampler.h"
 #include "engine/gl/texture.h"
-#include "engine/render/cloud_scene.h"
+#include "engine/render/cloud_program.h"
 #include "engine/render/frame_context.h"
 
 namespace luftpost::render {
@@ -22,7 +22,7 @@ public:
     std::size_t bytes() const { return map_.bytes(); }
 
 private:
-    gl::Program const& program_;
+    CloudProgram program_;
     gl::Texture2D map_;
     gl::Sampler sampler_;
     glm::dvec2 corner_{0.0};  // m, world, east and south

@@ -25,6 +25,13 @@
 #include "shaders/shared/sampler3d.glsl.h"
 GLSL_BEGIN
 
+// Whether a layer may have towers and an anvil. They are half of the density's price: passes have a second program without them,
+// for skies that hold none (render/cloud_program).
+#ifndef CLOUD_TOWERS
+#define CLOUD_TOWERS true
+#endif
+GLSL_FUNCTION bool hasTowers(LayerShape s) { return CLOUD_TOWERS && s.body.z > 0.0f; }
+
 GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
@@ -75,7 +82,7 @@ GLSL_FUNCTION float towerCover(float cover, LayerShape s) { return cover - anvil
 
 // The margin at which a tower reaches its full height: where there are few, each still does.
 GLSL_FUNCTION float towerWidth(float cover, LayerShape s) {
-    return s.body.z > 0.0f ? clamp(0.6f * cover, 0.02f, s.form.x) : s.form.x;
+    return hasTowers(s) ? clamp(0.6f * cover, 0.02f, s.form.x) : s.form.x;
 }
 
 // Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides.
@@ -178,7 +185,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     float lower = heightShare(p, s, curl);
     Envelope e = envelopeAt(margin, width, thickness, lower, s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
-    if (s.body.z > 0.0f) {
+    if (hasTowers(s)) {
         // The wall of a tower is as near as it stands in the plane: where the rank has its low, it grows like the square of the way.
         float wall = width * (1.0f - sqrt(max(1.0f - above / (lower * thickness), 0.0f)));
         float way = sqrt(max(towers.cover - wall, 0.0f)) - sqrt(max(towers.cover - margin, 0.0f));
@@ -193,7 +200,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
     float reach = min(s.form.z, 0.25f * thickness);
     float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
-    if (s.body.z > 0.0f)  // turrets upon turrets
+    if (hasTowers(s))  // turrets upon turrets
         carve = 0.65f * carve + s.body.z * reach * (1.0f - billowOf(textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f))));
     float ripple = min(s.form.w, 0.1f * thickness);
     float soft = min(s.look.x, 0.3f * thickness);
@@ -315,20 +322,25 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
     return sum;
 }
 
-// One layer at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
+// A layer with a body at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
 // at lod n faces are blurred as what is 32 m 2^n wide sees them.
+GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+                                      sampler3D curl, float lod) {
+    float share = (p.y - c.base) / (c.top - c.base);
+    if (share <= 0.0f || share >= 1.0f) return noCloud();
+    CloudSample result = bodySample(p, c, s, shape, detail, curl, lod);
+    if (hasTowers(s)) result = together(result, anvilSample(p, c, s, curl, lod));
+    return result;
+}
+
+// Any layer at one point, sheets of fibres too.
 GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       sampler3D curl, float lod) {
+    if (s.look.z <= 0.5f) return solidSample(p, c, s, shape, detail, curl, lod);
+    CloudSample result = noCloud();
     float thickness = c.top - c.base;
     float share = (p.y - c.base) / thickness;
-    CloudSample result = noCloud();
-    if (share <= 0.0f || share >= 1.0f) return result;
-    if (s.look.z > 0.5f) {
-        result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
-        return result;
-    }
-    result = bodySample(p, c, s, shape, detail, curl, lod);
-    if (s.body.z > 0.0f) result = together(result, anvilSample(p, c, s, curl, lod));
+    if (share > 0.0f && share < 1.0f) result.extinction = sheetDepth(p, c, s, curl, lod) * 6.0f * share * (1.0f - share) / thickness;
     return result;
 }
 
@@ -342,7 +354,7 @@ GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     float width = towerWidth(towers, s);
     float full = 0.6f * c.water * s.look.w * thickness / up;
     float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, width) : riseAt(margin, width));
-    float near = s.body.z > 0.0f ? clamp((c.cover - c.rank) / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f) : 0.0f;
+    float near = hasTowers(s) ? clamp((c.cover - c.rank) / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f) : 0.0f;
     here += full * kAnvilIce * (kAnvilTop - kAnvilFoot) * near * near * near;
     float share = clamp(towers, 0.0f, 0.99f);
     float mean = -log(1.0f - share + share * exp(-min(0.7f * full, 40.0f)));

@@ -211,13 +211,16 @@ float outlineBetween(float outside, float inside, int layers, vec3 direction, fl
 /// In cheap steps on to where there may be cloud; false when the stretch between two faces ends before.
 bool findOutline(vec3 direction, float h, inout Walk walk) {
     bool found = false;
-    while (!found && walk.t < walk.end && walk.left > 0) {
+    bool on = walk.t < walk.end && walk.left > 0;
+    if (on) do {
         --walk.left;  // a third of a full one's price
         found = cloudMayBeOf(walk.layers, placeAt(direction, walk.t, h));
-        if (found) break;
-        walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
-        walk.t += walk.stride;
-    }
+        if (!found) {
+            walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
+            walk.t += walk.stride;
+        }
+        on = !found && walk.t < walk.end && walk.left > 0;
+    } while (on);
     if (!found) {
         walk.t = min(walk.t, walk.end);
         return false;
@@ -228,24 +231,45 @@ bool findOutline(vec3 direction, float h, inout Walk walk) {
     return true;
 }
 
+/// From shell to shell to the next outline; false when the ray ends before.
+bool nextOutline(vec3 direction, float h, float end, inout Walk walk) {
+    bool found = false;
+    bool on = walk.t < end && walk.left > 0;
+    if (on) do {
+        if (walk.t >= walk.end) {
+            walk.t += walk.end > 0.0 ? 0.5 : 0.0;
+            walk.end = nextFace(h, direction.y, walk.t, end);
+            walk.layers = layersAt(placeAt(direction, 0.5 * (walk.t + walk.end), h).y);
+            walk.stride = 0.0;
+        }
+        if (walk.layers == 0) walk.t = walk.end;
+        else found = findOutline(direction, h, walk);
+        on = !found && walk.t < end && walk.left > 0;
+    } while (on);
+    return found;
+}
+
 /// In full steps on to a cloud's face; false when there is none for some of them.
 bool findFace(vec3 direction, float h, inout Walk walk) {
     int empty = 0;
     bool found = false;
     float lod = 0.0;
-    while (!found && empty < kEmptySteps && walk.t < walk.end && walk.left > 0) {
+    bool on = walk.t < walk.end && walk.left > 0;
+    if (on) do {
         lod = lodAt(walk.t, walk.stride);
         CloudSample here = cloudOf(walk.layers, placeAt(direction, walk.t, h), lod);
         found = here.extinction > 0.0;
-        if (found) break;
-        // On to the face, whose distance is known to first order: short steps where a turret may be missed.
-        float longest = longestStep(walk.t);
-        float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
-        walk.left -= int(3.0 * share);  // charged by its length
-        walk.stride = share * longest;
-        walk.t += walk.stride;
-        ++empty;
-    }
+        if (!found) {
+            // On to the face, whose distance is known to first order: short steps where a turret may be missed.
+            float longest = longestStep(walk.t);
+            float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
+            walk.left -= int(3.0 * share);  // charged by its length
+            walk.stride = share * longest;
+            walk.t += walk.stride;
+            ++empty;
+        }
+        on = !found && empty < kEmptySteps && walk.t < walk.end && walk.left > 0;
+    } while (on);
     if (!found) {
         walk.stride = 0.0;  // all behind is known: nowhere to go back to
         walk.t = min(walk.t, walk.end);
@@ -269,8 +293,9 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
     float shortest = max(10.0, 0.0015 * walk.t);
     float length = min(walk.stride > 0.0 ? 2.0 * shortest : shortest, longestStep(walk.t));
     bool inside = true;
-    float far = walk.t + 2000.0 + 0.1 * walk.t;  // until the light has to be asked anew
-    while (inside && sum.ray.through > kOpaque && walk.t < min(walk.end, far) && walk.left > 0) {
+    float far = min(walk.end, walk.t + 2000.0 + 0.1 * walk.t);  // until the light has to be asked anew
+    bool on = walk.t < far && walk.left > 0;
+    if (on) do {
         walk.left -= 3;
         float middle = walk.t + 0.5 * length;
         vec3 p = placeAt(direction, middle, h);
@@ -289,7 +314,8 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         shortest = max(10.0, 0.0015 * walk.t);
         float depth = mix(1.8, 0.8, sum.ray.through);  // what little still reaches the eye needs no fine steps
         length = min(min(length * 1.5, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
-    }
+        on = inside && sum.ray.through > kOpaque && walk.t < far && walk.left > 0;
+    } while (on);
     if (inside) walk.stride = 0.0;  // no face behind
 }
 
@@ -298,20 +324,15 @@ MarchResult marchBodies(vec3 direction, float end, KeyLight key) {
     float h = frame.cameraWorld.y;
     Gathered sum = Gathered(MarchResult(vec3(0.0), 1.0, 0.0), 0.0);
     Walk walk = Walk(0.0, 0.0, 0.0, 0, 3 * clouds.march.y);
-    while (sum.ray.through > kOpaque && walk.t < end && walk.left > 0) {
-        if (walk.t >= walk.end) {
-            walk.t += walk.end > 0.0 ? 0.5 : 0.0;
-            walk.end = nextFace(h, direction.y, walk.t, end);
-            walk.layers = layersAt(placeAt(direction, 0.5 * (walk.t + walk.end), h).y);
-            walk.stride = 0.0;
-            if (walk.layers == 0) {
-                walk.t = walk.end;
-                continue;
-            }
-        }
-        if (!findOutline(direction, h, walk)) continue;
-        while (sum.ray.through > kOpaque && findFace(direction, h, walk)) passCloud(direction, h, key, walk, sum);
-    }
+    bool more = nextOutline(direction, h, end, walk);
+    if (more) do {
+        bool face;
+        do {
+            face = findFace(direction, h, walk);
+            if (face) passCloud(direction, h, key, walk, sum);
+        } while (face && sum.ray.through > kOpaque);
+        more = sum.ray.through > kOpaque && nextOutline(direction, h, end, walk);
+    } while (more);
     MarchResult ray = sum.ray;
     ray.distance = sum.weights > 1e-5 ? ray.distance / sum.weights : min(end, clouds.step.z);
     if (ray.through <= kOpaque) {

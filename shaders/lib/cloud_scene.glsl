@@ -1,5 +1,8 @@
 // The clouds around the camera as passes see them: samplers, columns, density, the way toward the light. GLSL alone.
 // Places are flat: x east and z south of the camera, y above sea level.
+//
+// Loops that sample clouds ask at their end whether to go on: software GL skips nothing but the way back, so that a loop which asks at
+// its head runs its whole body once for nothing.
 #ifndef LUFTPOST_CLOUD_SCENE_GLSL
 #define LUFTPOST_CLOUD_SCENE_GLSL
 #include "shaders/lib/cloud.glsl"
@@ -38,16 +41,17 @@ LayerColumn columnAt(int layer, vec2 place, out float coarse) {
     LayerField field = clouds.fields[layer];
     vec4 v = clamp(field.centre + field.eastward * place.x + field.southward * place.y, field.low, field.high);
     vec2 rank = rankAt(layer, place);
-    coarse = clouds.shapes[layer].body.z > 0.0 ? 0.0 : rank.y;  // what has an anvil is large enough to be drawn whole anywhere
+    coarse = hasTowers(clouds.shapes[layer]) ? 0.0 : rank.y;  // what has an anvil is large enough to be drawn whole anywhere
     return LayerColumn(rank.x, v.x, v.y, v.z, v.w);
 }
 
+/// Of a layer with a body.
 CloudSample layerAt(int layer, vec3 p, float lod) {
     float coarse;
     LayerColumn column = columnAt(layer, p.xz, coarse);
     CloudSample near = noCloud();
     if (coarse < 1.0)
-        near = layerSample(p, column, clouds.shapes[layer], cloudShapeNoise, cloudDetailNoise, cloudCurlNoise, lod);
+        near = solidSample(p, column, clouds.shapes[layer], cloudShapeNoise, cloudDetailNoise, cloudCurlNoise, lod);
     if (coarse <= 0.0) return near;
     float far = distantExtinction(p.y, column, clouds.shapes[layer]);
     near.extinction = mix(near.extinction, far, coarse);
@@ -74,17 +78,10 @@ int layersAt(float y) {
 /// The layers of `bits` (not the sheets of fibres) at a place; depths weighted by extinction.
 CloudSample cloudOf(int bits, vec3 p, float lod) {
     CloudSample sum = noCloud();
-    for (; bits != 0; bits &= bits - 1) {
-        CloudSample one = layerAt(findLSB(bits), p, lod);
-        sum.outside = min(sum.outside, one.outside);
-        if (one.extinction <= 0.0) continue;
-        float share = one.extinction / (sum.extinction + one.extinction);
-        sum.depth = max(sum.depth, one.depth);
-        sum.wide = max(sum.wide, one.wide);
-        sum.above = mix(sum.above, one.above, share);
-        sum.below = mix(sum.below, one.below, share);
-        sum.extinction += one.extinction;
-    }
+    if (bits != 0) do {
+        sum = together(sum, layerAt(findLSB(bits), p, lod));
+        bits &= bits - 1;
+    } while (bits != 0);
     return sum;
 }
 CloudSample cloudAt(vec3 p, float lod) { return cloudOf(layersAt(p.y), p, lod); }
@@ -92,20 +89,20 @@ CloudSample cloudAt(vec3 p, float lod) { return cloudOf(layersAt(p.y), p, lod); 
 /// Whether there may be cloud of the layers at a place: outlines and heights alone, no volumes read.
 bool cloudMayBeOf(int bits, vec3 p) {
     bool found = false;
-    for (; bits != 0 && !found; bits &= bits - 1) {
+    if (bits != 0) do {
         int layer = findLSB(bits);
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
-        if (p.y <= c.base || p.y >= c.top) continue;
         float share = (p.y - c.base) / (c.top - c.base);
         float towers = towerCover(c.cover, s);
         float margin = towers - c.rank + s.look.y * frayWindow(c.cover) + 0.4 * coarse;
         float rise = riseAt(margin, towerWidth(towers, s));
         bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
-        bool anvil = s.body.z > 0.0 && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0;
-        found = (margin > 0.0 && between) || anvil;
-    }
+        bool anvil = hasTowers(s) && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0;
+        found = share > 0.0 && share < 1.0 && ((margin > 0.0 && between) || anvil);
+        bits &= bits - 1;
+    } while (bits != 0 && !found);
     return found;
 }
 
@@ -121,7 +118,7 @@ LayersAbove layersAbove(vec3 p, vec3 toward) {
         vec4 extent = clouds.shapes[layer].extent;
         bits |= extent.z > 0.5 && extent.x >= p.y ? 1 << layer : 0;
     }
-    for (; bits != 0; bits &= bits - 1) {
+    if (bits != 0) do {
         int layer = findLSB(bits);
         vec4 extent = clouds.shapes[layer].extent;
         float coarse;
@@ -130,7 +127,8 @@ LayersAbove layersAbove(vec3 p, vec3 toward) {
         float depth = envelopeDepth(c, clouds.shapes[layer], up);
         sum.all += depth;
         sum.sheets += clouds.shapes[layer].look.z > 0.5 ? depth : 0.0;
-    }
+        bits &= bits - 1;
+    } while (bits != 0);
     return sum;
 }
 
@@ -180,7 +178,8 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
     float start = first;
     float stretch = 1.9 * first;
-    for (int i = 1; i < 6 && start < leaves && sum < kDeepest; ++i) {
+    int i = 1;
+    if (start < leaves && sum < kDeepest) do {
         if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
@@ -188,7 +187,8 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
         stretch *= i < 3 ? 1.9 : 3.0;
-    }
+        ++i;
+    } while (i < 6 && start < leaves && sum < kDeepest);
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);
     return min(sum, kDeepest);
 }
