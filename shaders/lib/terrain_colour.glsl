@@ -139,7 +139,7 @@ GLSL_FUNCTION LandColour landColour(LandPoint p, LandCover cover, float footprin
     float drift = 0.5f * broken + 0.4f * spots + 0.3f * clumps + 0.2f * tufts;
     float snow = landRamp(0.30f, 0.62f, cover.snow + 0.9f * drift * clamp(4.0f * cover.snow * (1.0f - cover.snow), 0.0f, 1.0f) - 0.5f * bare * (1.0f - cover.snow));
     snow = snow * (1.0f - 0.62f * wooded);  // it falls through the crowns, and off them
-    colour = mix(colour, vec3(0.780f, 0.805f, 0.850f) * (1.0f + 0.03f * fine), snow);
+    colour = mix(colour, kSnowAlbedo * (1.0f + 0.03f * fine), snow);
     result.bump = mix(result.bump, 0.08f, snow);
     result.canopy = result.canopy * (1.0f - snow);
     result.gloss = 0.25f * (1.0f - wooded) + 0.35f * cover.rock;

@@ -17,6 +17,8 @@ struct LandPoint {
     float snowLine;     // m above sea level
 };
 
+GLSL_CONST vec3 kSnowAlbedo = vec3(0.780f, 0.805f, 0.850f);
+
 /// Shares 0..1; each covers what comes before it in this order: meadow, fields, forest, rock, sand, snow.
 struct LandCover {
     float fields, forest, rock, sand, snow;

@@ -1,5 +1,6 @@
 #version 450 core
 #include "shaders/lib/camera.glsl"
+#include "shaders/lib/terrain_cover.glsl"
 #include "shaders/lib/terrain_light.glsl"
 #include "shaders/lib/terrain_noise.glsl"
 
@@ -37,6 +38,9 @@ void main() {
     vec3 albedo = mix(mix(vec3(0.092, 0.138, 0.044), vec3(0.130, 0.155, 0.056), about.y), mix(vec3(0.055, 0.100, 0.045), vec3(0.075, 0.120, 0.055), about.y), conifer);
     albedo *= (0.85 + 0.35 * leaves + 0.25 * finer) * (1.0 - 0.25 * frame.weather.w);
     if (!crown) albedo = vec3(0.09, 0.07, 0.05);
+    // Snow lies on what faces up; needles hold more of it than twigs.
+    float fallen = landRamp(land.levels.y - 60.0, land.levels.y + 160.0, about.z);
+    albedo = mix(albedo, kSnowAlbedo, fallen * landRamp(0.05, 0.75, normal.y + 0.45 * leaves + 0.2 * finer) * mix(0.55, 0.9, conifer));
     float hollow = mix(1.0, clamp(0.72 + 0.4 * across.y, 0.4, 1.0), about.w);  // little light comes down to the lower leaves
     float share = sunShare(offset, about.z) * hollow;
     colour = vec4(mattLight(albedo, normal, about.z, share, hollow) * frame.exposure.x, 1.0);
