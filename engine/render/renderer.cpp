@@ -29,6 +29,7 @@
 #include "engine/render/view.h"
 #include "engine/render/water_pass.h"
 #include "engine/render/weather_light_pass.h"
+#include "engine/render/windscreen_pass.h"
 #include "shaders/lib/camera.glsl"
 
 namespace luftpost::render {
@@ -122,6 +123,7 @@ struct Renderer::Parts {
           composite{programs},
           weatherLight{programs},
           precipitation{programs},
+          windscreen{programs},
           exposure{programs},
           models{programs},
           puffs{programs},
@@ -158,6 +160,7 @@ struct Renderer::Parts {
     CompositePass composite;
     WeatherLightPass weatherLight;
     PrecipitationPass precipitation;
+    WindscreenPass windscreen;
     ExposurePass exposure;
     ModelPass models;
     PuffPass puffs;
@@ -261,6 +264,7 @@ void Renderer::Parts::drawScene(FrameContext const& context) {
     pass("precipitation", [&] { precipitation.draw(context); });
     pass("smoke", [&] { puffs.draw(context); });
     pass("glass", [&] { models.drawBlended(context); });
+    pass("windscreen", [&] { windscreen.draw(context); });
 }
 
 /// What all projections draw before the sky is put behind it.

@@ -1,6 +1,7 @@
 // All that one frame shows: plain data, made by the game (or a tool) once a frame. The game knows nothing of passes.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,12 @@ struct Puff {
     glm::vec4 colour{1.0f};                    // albedo, opacity in its middle
 };
 
+/// The glass around a camera in the cockpit, on which rain lies.
+struct Windscreen {
+    glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};  // x ahead, y up, z right
+    double airspeed_mps = 0.0;                     // that drives the drops
+};
+
 /// The debug views (F2, F3).
 struct DebugViews {
     bool normals = false;
@@ -102,6 +109,7 @@ struct Snapshot {
     std::vector<Puff> puffs;
     glm::dvec3 aircraftWorld{0.0};
     bool hasAircraft = false;
+    std::optional<Windscreen> windscreen;      // none: the camera is not behind glass
 
     ImDrawData const* ui = nullptr;            // lists of the HUD and menus, null: none
     int fontVersion = 0;                       // ui::ScreenFrame::fontVersion()

@@ -228,6 +228,9 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.models.push_back(planeInstance(simulation, models, view));
     snapshot.aircraftWorld = snapshot.models.front().positionWorld;
     snapshot.hasAircraft = true;
+    if (view.inside)
+        snapshot.windscreen = render::Windscreen{snapshot.models.front().worldFromModel,
+                                                 simulation.aircraft().state().readings.cas};
     addParcels(simulation, models, view, snapshot.models);
     addAirfield(simulation, models, view.utc, snapshot.models);
     addDropZone(simulation, models, view.utc, snapshot);
