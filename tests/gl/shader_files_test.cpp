@@ -20,6 +20,7 @@
 #include "shaders/shared/sky_block.glsl.h"
 #include "shaders/shared/terrain.glsl.h"
 #include "tests/gl/gl_fixture.h"
+#include "tests/support/scratch.h"
 
 namespace {
 namespace fs = std::filesystem;
@@ -58,8 +59,7 @@ TEST(ShaderFiles, GiveEachSamplerOfAProgramAUnitOfItsOwn) {
 
 TEST(ShaderFiles, AreStrictCoreGlsl) {
     ASSERT_EQ(run("glslangValidator --version").first, 0) << "expected glslangValidator (Debian: glslang-tools)";
-    fs::path const folder = fs::temp_directory_path() / fmt::format("luftpost_glsl_{}", getpid());
-    fs::create_directories(folder);
+    fs::path const& folder = tests::scratch();
     int count = 0;
     for (auto const& entry : fs::directory_iterator{kShaders / "pass"}) {
         std::string const name = entry.path().filename().string();
@@ -71,7 +71,6 @@ TEST(ShaderFiles, AreStrictCoreGlsl) {
         EXPECT_EQ(status, 0) << name << "\n" << assets::namedMessages(output, source.files);
         ++count;
     }
-    fs::remove_all(folder);
     EXPECT_GT(count, 20);
 }
 

@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/flight/airframe.h"
 #include "game/ui/camera.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -191,14 +192,13 @@ TEST(Sounds, NeitherClipNorCarryADirectVoltage) {
 }
 
 TEST(Sounds, ThatAreBrokenAreNamed) {
-    auto const file = std::filesystem::temp_directory_path() / "luftpost_broken.wav";
+    auto const file = tests::scratch() / "broken.wav";
     std::ofstream{file} << "RIFFnothing";
     try {
         assets::readSound(file);
         FAIL() << "read a broken file";
     } catch (core::Error const& error) {
-        EXPECT_NE(std::string{error.what()}.find("luftpost_broken.wav"), std::string::npos);
+        EXPECT_NE(std::string{error.what()}.find("broken.wav"), std::string::npos);
     }
-    std::filesystem::remove(file);
 }
 }  // namespace
