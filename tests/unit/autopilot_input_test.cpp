@@ -24,7 +24,7 @@ void pressAutopilot(Session& session) {
 TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
     Session session{flying(calmPlan())};
     pressAutopilot(session);
-    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft");
+    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft  speed 93 kt");
     session.input(SettingInput{"aircraft.autopilotAltitude_ft", 3281.0});
     session.input(SettingInput{"aircraft.autopilotCourse", std::string{"heading"}});
     session.input(SettingInput{"aircraft.autopilotHeading_deg", 90.0});
@@ -44,6 +44,27 @@ TEST(AutopilotInput, GivesTheStickToWhoMovesIt) {
     fly(session, 0.5);
     EXPECT_EQ(session.simulation().autopilotText(), "");
     EXPECT_GT(session.simulation().aircraft().state().readings.roll, 0.05);
+}
+
+TEST(AutopilotInput, ItsKnobsAreTheTrimWheelsAndTheLever) {
+    Session session{flying(calmPlan())};
+    pressAutopilot(session);
+    double const speed = session.simulation().aircraft().state().readings.cas;
+    session.input(withKeys({ui::FlightKey::trimNoseUp, ui::FlightKey::trimYawRight}));
+    fly(session, 6.0);
+    session.input(withKeys({ui::FlightKey::thrustDown}));
+    fly(session, 0.5);
+    session.input(ui::InputSample{});
+    fly(session, 60.0);
+    flight::AircraftState const& now = session.simulation().aircraft().state();
+    EXPECT_NEAR(now.positionWorld.y, tests::kStartAltitude + 6.0 * 40.0 * core::kMetresPerFoot, 3.0);
+    EXPECT_NEAR(core::degrees(now.readings.heading), 30.0, 2.0);
+    EXPECT_NEAR(now.readings.cas, speed - 0.25 * (129.0 - 1.35 * 51.0) * core::kMetresPerSecondPerKnot, 1.0);
+    EXPECT_EQ(session.simulation().stick().controls().elevatorTrim, 0.0) << "the wheels themselves stay";
+    EXPECT_EQ(hashOfReplay(session), session.simulation().stateHash());
+    session.input(SettingInput{"aircraft.autopilotAltitude_ft", 3281.0});
+    fly(session, 60.0);
+    EXPECT_NEAR(now.positionWorld.y, 1000.0, 3.0) << "what is set in the menu holds";
 }
 
 TEST(AutopilotInput, FliesToTheDropZoneInEveryAssistAndAirframe) {
