@@ -1,12 +1,15 @@
 """Paint of the aircraft: textures drawn from shapes, in metres of the aircraft. Used by models.py."""
 import math
+from collections import namedtuple
 
 from gltf_writer import png
 
-YELLOW = (250, 186, 22)
-CREAM = (247, 240, 222)
-RED = (188, 36, 28)
 INK = (38, 36, 40)
+# Colours of the body, of what lies over the band, of the band and tips, and of the ribs that show through each; what is written
+# on side and wings.
+Livery = namedtuple("Livery", "body upper band rib band_rib number")
+MAIL = Livery((250, 186, 22), (247, 240, 222), (188, 36, 28), (238, 172, 16), (172, 30, 24), "LP-24")
+FREIGHT = Livery((222, 226, 228), (246, 246, 242), (22, 74, 128), (208, 212, 215), (18, 62, 108), "LP-40")
 
 # Letters as strokes on a grid 4 wide and 6 high.
 LETTERS = {
@@ -107,13 +110,13 @@ def stripe(x):
     return 0.02 + 0.030 * back ** 1.75
 
 
-def side(mirror):
-    canvas = Canvas(1024, 512, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, YELLOW)
+def side(livery, mirror):
+    canvas = Canvas(1024, 512, SIDE_LEFT, SIDE_RIGHT, SIDE_BOTTOM, SIDE_TOP, livery.body)
     everything = (SIDE_LEFT, SIDE_BOTTOM, SIDE_RIGHT, SIDE_TOP)
-    canvas.paint(everything, CREAM, lambda x, y: y - stripe(x) + 0.02)
+    canvas.paint(everything, livery.upper, lambda x, y: y - stripe(x) + 0.02)
     band = lambda x: 0.075 + 0.012 * max(0.0, -x)
-    canvas.paint(everything, RED, lambda x, y: abs(y - stripe(x)) - band(x))
-    canvas.paint(everything, CREAM, lambda x, y: abs(y - stripe(x) - band(x) - 0.045) - 0.014)
+    canvas.paint(everything, livery.band, lambda x, y: abs(y - stripe(x)) - band(x))
+    canvas.paint(everything, livery.upper, lambda x, y: abs(y - stripe(x) - band(x) - 0.045) - 0.014)
     seam = (206, 190, 150)
     for x in (1.08, -1.98, -3.4):
         canvas.stroke([(x, -0.9), (x, 0.9)], 0.008, seam)
@@ -128,33 +131,33 @@ def side(mirror):
     else:
         canvas.text("LUFTPOST", -2.72, -0.32, 0.22, 0.045, INK, slant=0.12)
     canvas.horn(-5.08, 1.02, 0.34, INK, mirror=not mirror)
-    canvas.text("LP-24", -3.62 if not mirror else -2.72, 0.02 + 0.03, 0.14, 0.026, CREAM, mirror=mirror)
+    canvas.text(livery.number, -3.62 if not mirror else -2.72, 0.02 + 0.03, 0.14, 0.026, livery.upper, mirror=mirror)
     return canvas.rows
 
 
-def wing(under):
-    canvas = Canvas(1024, 192, -WING_SPAN, WING_SPAN, WING_BACK, WING_FRONT, YELLOW)
+def wing(livery, under):
+    canvas = Canvas(1024, 192, -WING_SPAN, WING_SPAN, WING_BACK, WING_FRONT, livery.body)
     for sign in (-1, 1):
-        canvas.paint((-WING_SPAN, WING_BACK, WING_SPAN, WING_FRONT), RED,
+        canvas.paint((-WING_SPAN, WING_BACK, WING_SPAN, WING_FRONT), livery.band,
                      lambda z, x: 4.62 - sign * z)
-        canvas.paint((-WING_SPAN, WING_BACK, WING_SPAN, WING_FRONT), CREAM,
+        canvas.paint((-WING_SPAN, WING_BACK, WING_SPAN, WING_FRONT), livery.upper,
                      lambda z, x: abs(4.50 - sign * z) - 0.06)
     for k in range(-18, 19):  # ribs under the fabric
-        canvas.stroke([(0.29 * k, -1.3), (0.29 * k, 0.6)], 0.012, (238, 172, 16) if abs(k) < 16 else (172, 30, 24))
+        canvas.stroke([(0.29 * k, -1.3), (0.29 * k, 0.6)], 0.012, livery.rib if abs(k) < 16 else livery.band_rib)
     # Letters are read with the nose up: z runs right on the upper side, left when seen from below.
     if under:
-        canvas.text("LP-24", -1.20, -0.52, 0.70, 0.12, INK, mirror=True)
+        canvas.text(livery.number, -1.20, -0.52, 0.70, 0.12, INK, mirror=True)
     else:
-        canvas.text("LP-24", 1.20, -0.52, 0.70, 0.12, INK)
+        canvas.text(livery.number, 1.20, -0.52, 0.70, 0.12, INK)
     return canvas.rows
 
 
-def side_png():
-    return png(1024, 1024, side(mirror=True) + side(mirror=False))
+def side_png(livery):
+    return png(1024, 1024, side(livery, mirror=True) + side(livery, mirror=False))
 
 
-def wing_png():
-    return png(1024, 384, wing(under=False) + wing(under=True))
+def wing_png(livery):
+    return png(1024, 384, wing(livery, under=False) + wing(livery, under=True))
 
 
 def side_uv(p, right):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes assets/models/*.glb. Run it after a change and check the products in: `python3 assets/make/models.py`.
 
-Every model: metres, x forward, y up, z right. plane.glb has the airframe's datum (centre of gravity of the
+Every model: metres, x forward, y up, z right. plane.glb and freight_plane.glb have the airframe's datum (centre of gravity of the
 reference loading) at the origin, the same body frame as engine/flight. Its moving nodes rest at angle 0 and turn
 about an axis of their own:
     propeller, propeller_disc          x   (+ as the engine turns: clockwise seen from the seat)
@@ -52,17 +52,25 @@ def curve(points):
 
 
 # --- fuselage -------------------------------------------------------------------------------------------------
-NOSE, FIREWALL, TAIL = 2.12, 1.08, -5.45
-roof = curve([(2.14, 0.16), (2.10, 0.235), (2.0, 0.285), (1.75, 0.325), (1.4, 0.355), (1.08, 0.385), (0.90, 0.49), (0.62, 0.70),
-              (0.40, 0.82), (0.15, 0.86), (-0.7, 0.86), (-1.05, 0.83), (-1.35, 0.76), (-1.8, 0.60), (-2.4, 0.47),
-              (-3.5, 0.36), (-4.6, 0.27), (TAIL, 0.22)])
-keel = curve([(2.14, -0.20), (2.10, -0.31), (2.0, -0.39), (1.75, -0.48), (1.4, -0.55), (1.08, -0.60), (0.4, -0.64), (-0.7, -0.63),
-              (-1.4, -0.56), (-2.4, -0.38), (-3.5, -0.18), (-4.6, 0.0), (TAIL, 0.10)])
-half = curve([(2.14, 0.26), (2.10, 0.345), (2.0, 0.40), (1.75, 0.455), (1.4, 0.49), (1.08, 0.515), (0.4, 0.555), (-0.7, 0.555),
-              (-1.4, 0.47), (-2.4, 0.32), (-3.5, 0.20), (-4.6, 0.11), (TAIL, 0.035)])
+FIREWALL, TAIL = 1.08, -5.45
+
+
+class Form:
+    """What makes one aeroplane another: the hull behind the front seats, the tail, the propeller, the paint. What lies ahead of
+    FOREPART, with the seats, the panel and the engine, is the same in both."""
+
+    def __init__(self, **fields):
+        self.__dict__.update(fields)
+
+
+# The forepart's curves (x, value), then for each form those behind it.
+ROOF = [(2.14, 0.16), (2.10, 0.235), (2.0, 0.285), (1.75, 0.325), (1.4, 0.355), (1.08, 0.385), (0.90, 0.49), (0.62, 0.70),
+        (0.40, 0.82), (0.15, 0.86), (-0.7, 0.86)]
+KEEL = [(2.14, -0.20), (2.10, -0.31), (2.0, -0.39), (1.75, -0.48), (1.4, -0.55), (1.08, -0.60), (0.4, -0.64), (-0.7, -0.63)]
+HALF = [(2.14, 0.26), (2.10, 0.345), (2.0, 0.40), (1.75, 0.455), (1.4, 0.49), (1.08, 0.515), (0.4, 0.555), (-0.7, 0.555)]
 waist = curve([(2.14, -0.02), (1.08, -0.06), (0.3, 0.04), (-1.2, 0.06), (-3.5, 0.13), (TAIL, 0.16)])
-squareness = curve([(2.14, 2.2), (1.5, 2.6), (0.6, 3.6), (-1.0, 3.6), (-2.4, 2.8), (TAIL, 2.2)])
-sill = curve([(2.14, 0.5), (1.07, 0.90), (0.92, 0.55), (0.66, 0.33), (0.40, 0.27), (-1.2, 0.27), (-1.4, 0.40), (-1.75, 0.62), (TAIL, 0.6)])
+SQUARENESS = [(2.14, 2.2), (1.5, 2.6), (0.6, 3.6)]
+SILL_HEIGHT = [(2.14, 0.5), (1.07, 0.90), (0.92, 0.55), (0.66, 0.33), (0.40, 0.27)]
 
 LOWER = [-90, -76, -62, -48, -34, -20, -8]  # degrees around the lower half,
 MIDDLE = [0.14, 0.40, 0.72]                   # then fractions of the way up to the sill, then from there to the roof
@@ -72,29 +80,55 @@ ROOF_EDGE = SILL + 4
 # Stations along the fuselage and how far the window posts lean (m at the roof, toward the tail is negative).
 STATIONS = [(2.14, 0), (2.12, 0), (2.08, 0), (2.0, 0), (1.88, 0), (1.72, 0), (1.5, 0), (1.28, 0), (1.08, 0), (1.06, 0),
             (0.98, 0), (0.88, -0.04), (0.77, -0.10), (0.63, -0.17), (0.615, -0.17), (0.585, -0.17), (0.57, -0.17), (0.3, -0.10),
-            (0.05, -0.04), (-0.2, 0), (-0.42, 0.02), (-0.44, 0.02), (-0.50, 0.02), (-0.52, 0.02), (-0.75, 0.06),
-            (-1.02, 0.10), (-1.04, 0.10), (-1.16, 0.09), (-1.18, 0.09), (-1.32, 0.05), (-1.5, 0), (-1.66, 0), (-1.68, 0), (-1.85, 0),
-            (-2.2, 0), (-2.7, 0), (-3.3, 0), (-3.9, 0), (-4.5, 0), (-5.0, 0), (-5.3, 0), (TAIL, 0)]
-WINDOWS = {"windscreen": (1.06, 0.63), "front": (0.57, -0.42), "rear": (-0.52, -1.02), "back": (-1.18, -1.66)}
-TRIMS = [(1.08, 1.06), (0.63, 0.615), (0.585, 0.57), (-0.42, -0.44), (-0.50, -0.52), (-1.02, -1.04), (-1.16, -1.18), (-1.66, -1.68)]
+            (0.05, -0.04), (-0.2, 0), (-0.42, 0.02), (-0.44, 0.02)]
+CONE = [(-2.7, 0), (-3.3, 0), (-3.9, 0), (-4.5, 0), (-5.0, 0), (-5.3, 0), (TAIL, 0)]
+WINDOWS = {"windscreen": (1.06, 0.63), "front": (0.57, -0.42)}
+TRIMS = [(1.08, 1.06), (0.63, 0.615), (0.585, 0.57), (-0.42, -0.44)]
+
+MAIL = Form(
+    name="plane", livery=livery.MAIL,
+    roof=curve(ROOF + [(-1.05, 0.83), (-1.35, 0.76), (-1.8, 0.60), (-2.4, 0.47), (-3.5, 0.36), (-4.6, 0.27), (TAIL, 0.22)]),
+    keel=curve(KEEL + [(-1.4, -0.56), (-2.4, -0.38), (-3.5, -0.18), (-4.6, 0.0), (TAIL, 0.10)]),
+    half=curve(HALF + [(-1.4, 0.47), (-2.4, 0.32), (-3.5, 0.20), (-4.6, 0.11), (TAIL, 0.035)]),
+    squareness=curve(SQUARENESS + [(-1.0, 3.6), (-2.4, 2.8), (TAIL, 2.2)]),
+    sill=curve(SILL_HEIGHT + [(-1.2, 0.27), (-1.4, 0.40), (-1.75, 0.62), (TAIL, 0.6)]),
+    stations=STATIONS + [(-0.50, 0.02), (-0.52, 0.02), (-0.75, 0.06), (-1.02, 0.10), (-1.04, 0.10), (-1.16, 0.09), (-1.18, 0.09),
+                         (-1.32, 0.05), (-1.5, 0), (-1.66, 0), (-1.68, 0), (-1.85, 0), (-2.2, 0)] + CONE,
+    windows=WINDOWS | {"side": [(-0.52, -1.02)], "back": (-1.18, -1.66)},
+    trims=TRIMS + [(-0.50, -0.52), (-1.02, -1.04), (-1.16, -1.18), (-1.66, -1.68)],
+    cabin_end=-1.9, tail_half=1.72, tail_chord=1.0, fin_top=1.60, fin_chord=1.0, blades=2, blade=0.9525, pod=False, brace=True)
+# A freighter: a square hold as high as the cabin, far behind the wing, without a window at its back; a pod under the belly, one
+# strut a side, three blades, a bigger tail as the airframe's areas have it.
+FREIGHT = Form(
+    name="freight_plane", livery=livery.FREIGHT,
+    roof=curve(ROOF + [(-1.2, 0.85), (-1.9, 0.80), (-2.35, 0.71), (-2.9, 0.59), (-3.7, 0.46), (-4.6, 0.34), (TAIL, 0.25)]),
+    keel=curve(KEEL + [(-1.6, -0.62), (-2.2, -0.55), (-2.9, -0.37), (-3.7, -0.17), (-4.6, 0.0), (TAIL, 0.10)]),
+    half=curve(HALF + [(-1.6, 0.55), (-2.2, 0.48), (-2.9, 0.36), (-3.7, 0.25), (-4.6, 0.14), (TAIL, 0.04)]),
+    squareness=curve(SQUARENESS + [(-2.0, 4.4), (-3.2, 3.4), (TAIL, 2.4)]),
+    sill=curve(SILL_HEIGHT + [(-2.4, 0.27), (-2.7, 0.40), (TAIL, 0.5)]),
+    stations=STATIONS + [(-0.50, 0.02), (-0.52, 0.02), (-0.75, 0.0), (-0.98, 0.0), (-1.0, 0.0), (-1.24, 0.0), (-1.26, 0.0), (-1.5, 0), (-1.74, 0),
+                         (-1.76, 0), (-2.0, 0), (-2.35, 0)] + CONE,
+    windows=WINDOWS | {"side": [(-0.52, -0.98), (-1.26, -1.74)], "back": None},
+    trims=TRIMS + [(-0.50, -0.52), (-0.98, -1.0), (-1.24, -1.26), (-1.74, -1.76)],
+    cabin_end=-2.4, tail_half=1.95, tail_chord=1.13, fin_top=1.78, fin_chord=1.06, blades=3, blade=1.015, pod=True, brace=False)
 
 
-def fuselage_ring(x, lean, inset=0.0):
+def fuselage_ring(form, x, lean, inset=0.0):
     """Right half from keel to roof, then the left half back: a closed ring."""
     right = []
-    n = squareness(x)
+    n = form.squareness(x)
     for k in range(SILL + len(UPPER)):
         if k < len(LOWER):
             angle = math.radians(LOWER[k])
             down, out = abs(math.sin(angle)) ** (2 / n), abs(math.cos(angle)) ** (2 / n)
-            y, z = waist(x) - down * (waist(x) - keel(x)), half(x) * out
+            y, z = waist(x) - down * (waist(x) - form.keel(x)), form.half(x) * out
             px = x
         else:
             over = UPPER[k - SILL] if k >= SILL else 0.0
-            f = lerp(sill(x), 1.0, over) if k >= SILL else sill(x) * MIDDLE[k - len(LOWER)]
+            f = lerp(form.sill(x), 1.0, over) if k >= SILL else form.sill(x) * MIDDLE[k - len(LOWER)]
             px = x + lean * over
-            y = waist(px) + f * (roof(px) - waist(px))
-            z = half(px) * max(0.0, 1 - f ** n) ** (1 / n) * (1 - 0.06 * f)
+            y = waist(px) + f * (form.roof(px) - waist(px))
+            z = form.half(px) * max(0.0, 1 - f ** n) ** (1 / n) * (1 - 0.06 * f)
         right.append((px, y - inset * (1 if y > 0 else -1) * 0.5, max(0.0, z - inset if k not in (0,) else 0.0)))
     right[0] = (right[0][0], right[0][1], 0.0)
     right[-1] = (right[-1][0], right[-1][1], 0.0)
@@ -102,44 +136,44 @@ def fuselage_ring(x, lean, inset=0.0):
     return right + left
 
 
-def fuselage_material(i, j):
+def fuselage_material(form, i, j):
     """skin, glass, trim of the quad between stations i, i+1 and ring points j, j+1."""
     count = SILL + len(UPPER)
     k = j if j < count - 1 else 2 * (count - 1) - 1 - j  # as on the right side
-    front, back = STATIONS[i][0], STATIONS[i + 1][0]
+    front, back = form.stations[i][0], form.stations[i + 1][0]
 
     def within(window):
-        return WINDOWS[window][0] >= front and back >= WINDOWS[window][1]
+        return window is not None and window[0] >= front and back >= window[1]
     over_sill = k >= SILL
-    if over_sill and within("windscreen") or over_sill and within("back"):
+    if over_sill and (within(form.windows["windscreen"]) or within(form.windows["back"])):
         return "glass"
-    if SILL <= k < ROOF_EDGE and (within("front") or within("rear")):
+    if SILL <= k < ROOF_EDGE and any(within(window) for window in [form.windows["front"], *form.windows["side"]]):
         return "glass"
-    if (front, back) in TRIMS and over_sill and (k < ROOF_EDGE or front > 0.6 or back < -1.1):
+    if (front, back) in form.trims and over_sill and (k < ROOF_EDGE or front > 0.6 or (back < -1.1 and form.windows["back"])):
         return "trim"
     return "skin"
 
 
-def fuselage():
-    rows = [fuselage_ring(x, lean) for x, lean in STATIONS]
+def fuselage(form):
+    rows = [fuselage_ring(form, x, lean) for x, lean in form.stations]
     count = SILL + len(UPPER)
     uv = lambda p, i, j: livery.side_uv(p, right=j < count - 1)
     skin, glass, cowl = Mesh(), Mesh(), Mesh()
 
     def part(i, j):
-        which = fuselage_material(i, j)
-        return "glass" if which == "glass" else "cowl" if STATIONS[i + 1][0] >= FIREWALL else "skin"
-    pick = lambda wanted: lambda i, j: fuselage_material(i, j) if part(i, j) == wanted else None
+        which = fuselage_material(form, i, j)
+        return "glass" if which == "glass" else "cowl" if form.stations[i + 1][0] >= FIREWALL else "skin"
+    pick = lambda wanted: lambda i, j: fuselage_material(form, i, j) if part(i, j) == wanted else None
     for mesh, wanted in ((skin, "skin"), (cowl, "cowl"), (glass, "glass")):
         mesh.grid(rows, pick(wanted), closed=True, uv=uv)
     skin.fan(rows[-1], "skin", (-1.0, 0.0, 0.0), uv=lambda p: livery.side_uv(p, True))
     # The inside of the cabin, seen from the seat: the same skin turned inward, without the panes.
     cabin = Mesh()
-    inner = [s for s in STATIONS if -1.9 < s[0] < 1.07]
-    first = STATIONS.index(inner[0])
-    shell = [fuselage_ring(x, lean, 0.02) for x, lean in inner]
-    cabin.grid(shell, lambda i, j: None if fuselage_material(first + i, j) == "glass" else
-               ("lining" if fuselage_material(first + i, j) == "skin" else "trim"), closed=True, inward=True)
+    inner = [s for s in form.stations if form.cabin_end < s[0] < 1.07]
+    first = form.stations.index(inner[0])
+    shell = [fuselage_ring(form, x, lean, 0.02) for x, lean in inner]
+    cabin.grid(shell, lambda i, j: None if fuselage_material(form, first + i, j) == "glass" else
+               ("lining" if fuselage_material(form, first + i, j) == "skin" else "trim"), closed=True, inward=True)
     return skin, cowl, glass, cabin
 
 
@@ -267,46 +301,42 @@ def tail_surface(span, le, te, x_from, x_to, thick, place, uv=None, material="wi
     return mesh, rows
 
 
-TAIL_HINGE, TAIL_Y, TAIL_HALF = -5.02, 0.24, 1.72
-FIN_HINGE, FIN_BASE, FIN_TOP = -5.16, 0.20, 1.60
+TAIL_HINGE, TAIL_Y = -5.02, 0.24
+FIN_HINGE, FIN_BASE = -5.16, 0.20
 
 
 def rounded(s, from_s):
     return math.sqrt(max(0.0, 1 - (max(0.0, s - from_s) / (1 - from_s)) ** 2.2)) * 0.998 + 0.002
 
 
-def tailplane():
-    le = lambda s: TAIL_HINGE + (0.72 - 0.20 * s) * rounded(s, 0.55)
-    te = lambda s: TAIL_HINGE - (0.46 - 0.06 * s) * rounded(s, 0.55)
+def tailplane(form):
+    le = lambda s: TAIL_HINGE + form.tail_chord * (0.72 - 0.20 * s) * rounded(s, 0.55)
+    te = lambda s: TAIL_HINGE - form.tail_chord * (0.46 - 0.06 * s) * rounded(s, 0.55)
     spans = [0.0, 0.25, 0.5, 0.62, 0.74, 0.84, 0.91, 0.96, 0.985, 1.0]
     uv = lambda p, i, j: (0.5, 0.25)
     fixed, _ = tail_surface(spans, le, te, None, TAIL_HINGE + 0.02, 0.085,
-                            lambda x, y, s: (x, TAIL_Y + y, s * TAIL_HALF), uv, "yellow")
+                            lambda x, y, s: (x, TAIL_Y + y, s * form.tail_half), uv, "yellow")
     moving, rows = tail_surface([0.06] + spans[1:], le, te, TAIL_HINGE, None, 0.085,
-                                lambda x, y, s: (x - TAIL_HINGE, y, s * TAIL_HALF), uv, "yellow", nose=True)
+                                lambda x, y, s: (x - TAIL_HINGE, y, s * form.tail_half), uv, "yellow", nose=True)
     moving.fan(rows[0], "yellow", (0.0, 0.0, -1.0))
     stab = Mesh().extend(fixed).extend(fixed.mirrored())
     elevator = Mesh().extend(moving).extend(moving.mirrored())
     return stab, Node("elevator", elevator, at=(TAIL_HINGE, TAIL_Y, 0.0))
 
 
-def fin():
-    span = FIN_TOP - FIN_BASE
+def fin(form):
     fillet = lambda s: 1.05 * max(0.0, 1 - s / 0.42) ** 2.0
-    le = lambda s: FIN_HINGE + (0.92 - 0.42 * s + fillet(s)) * rounded(s, 0.66)
-    te = lambda s: FIN_HINGE - (0.50 - 0.08 * s) * rounded(s, 0.66) * (1 if s > 0.12 else lerp(0.55, 1.0, s / 0.12))
+    le = lambda s: FIN_HINGE + (form.fin_chord * (0.92 - 0.42 * s) + fillet(s)) * rounded(s, 0.66)
+    te = lambda s: FIN_HINGE - form.fin_chord * (0.50 - 0.08 * s) * rounded(s, 0.66) * (1 if s > 0.12 else lerp(0.55, 1.0, s / 0.12))
     spans = [0.0, 0.06, 0.12, 0.2, 0.3, 0.42, 0.55, 0.66, 0.76, 0.85, 0.92, 0.965, 0.99, 1.0]
 
-    def place(dx):  # the ring's upper side is the right one
-        return lambda x, y, s: (x - dx, FIN_BASE + s * span - (FIN_BASE if dx else 0.0), y)
     at = (FIN_HINGE, FIN_BASE, 0.0)
-    thick = lambda s: 0.07
-    fixed = fin_piece(spans, le, te, None, FIN_HINGE + 0.02, (0.0, 0.0, 0.0))
-    moving = fin_piece([-0.05] + spans, le, te, FIN_HINGE, None, at, nose=True)
+    fixed = fin_piece(form, spans, le, te, None, FIN_HINGE + 0.02, (0.0, 0.0, 0.0))
+    moving = fin_piece(form, [-0.05] + spans, le, te, FIN_HINGE, None, at, nose=True)
     return fixed, Node("rudder", moving, at=at)
 
 
-def fin_piece(spans, le, te, x_from, x_to, origin, nose=False):
+def fin_piece(form, spans, le, te, x_from, x_to, origin, nose=False):
     rows, uppers = [], 8
     for s in spans:
         c = max(s, 0.0)
@@ -318,7 +348,7 @@ def fin_piece(spans, le, te, x_from, x_to, origin, nose=False):
         if nose:
             (x0, y0), (_, y1) = up[0], low[-1]
             ring = ring + [(x0 + 0.3 * (y0 - y1), y1 / 2), (x0 + 0.3 * (y0 - y1), y0 / 2)]
-        rows.append([sub((x, FIN_BASE + s * (FIN_TOP - FIN_BASE), y), origin) for x, y in ring])
+        rows.append([sub((x, FIN_BASE + s * (form.fin_top - FIN_BASE), y), origin) for x, y in ring])
     mesh = Mesh()
     mesh.grid(rows, "skin", closed=True, uv=lambda p, i, j: livery.side_uv(add(p, origin), right=j < uppers - 1))
     mesh.fan(rows[0], "skin", (0.0, -1.0, 0.0), uv=lambda p: livery.side_uv(add(p, origin), True))
@@ -368,11 +398,13 @@ def undercarriage():
     return fixed, nodes
 
 
-def struts():
+def struts(form):
     right = Mesh()
     low, high = (0.30, -0.40, 0.50), (0.10, WING_Y + math.tan(DIHEDRAL) * 2.55 - 0.085, 2.55)
     path = [add(mul(low, 1 - t), mul(high, t)) for t in (0.0, 0.04, 0.5, 0.96, 1.0)]
     right.tube(path, [0.055, 0.07, 0.07, 0.07, 0.05], "skin_yellow", sides=14, flat=0.42, up=(0.0, 0.6, -0.8))
+    if not form.brace:
+        return Mesh().extend(right).extend(right.mirrored())
     rear_high = (-0.52, WING_Y + math.tan(DIHEDRAL) * 2.5 - 0.06, 2.50)
     rear = [add(mul((0.22, -0.40, 0.50), 1 - t), mul(rear_high, t)) for t in (0.0, 0.5, 1.0)]
     right.tube(rear, [0.035, 0.04, 0.035], "skin_yellow", sides=10, flat=0.5, up=(0.0, 0.6, -0.8))
@@ -382,18 +414,17 @@ def struts():
 
 
 PROPELLER = (2.27, -0.02, 0.0)
-BLADE = 0.9525
 
 
-def propeller():
+def propeller(form):
     mesh, spinner = Mesh(), Mesh()
     spinner.lathe([(0.30, 0.001), (0.295, 0.025), (0.27, 0.065), (0.20, 0.112), (0.10, 0.142), (0.0, 0.152), (-0.08, 0.152), (-0.081, 0.001)],
                "red", axis=0, sides=28)
-    for turn in (0.0, math.pi):
+    for turn in (2 * math.pi * k / form.blades for k in range(form.blades)):
         rows, tips = [], []
         for k in range(13):
-            r = lerp(0.10, BLADE, k / 12)
-            t = r / BLADE
+            r = lerp(0.10, form.blade, k / 12)
+            t = r / form.blade
             chord = 0.165 * math.sin(math.pi * min(1.0, 0.18 + 0.66 * t)) ** 0.8 * math.sqrt(max(0.0, 1 - max(0.0, (t - 0.9) / 0.1) ** 2)) + 0.004
             pitch = math.atan2(0.24, r) + 0.02
             ring = []
@@ -408,17 +439,17 @@ def propeller():
     disc = Mesh()
     for k in range(48):
         a, b = 2 * math.pi * k / 48, 2 * math.pi * (k + 1) / 48
-        for near, far, material in ((0.15, 0.80, "disc"), (0.80, BLADE, "disc_tip")):
+        for near, far, material in ((0.15, 0.80, "disc"), (0.80, form.blade, "disc_tip")):
             ring = [(0.03, near * math.cos(a), near * math.sin(a)), (0.03, far * math.cos(a), far * math.sin(a)),
                     (0.03, far * math.cos(b), far * math.sin(b)), (0.03, near * math.cos(b), near * math.sin(b))]
             disc.quad(ring, material)
     return Node("propeller", mesh, at=PROPELLER), Node("propeller_disc", disc, at=PROPELLER), Node("spinner", spinner, at=PROPELLER)
 
 
-def cowling():
+def cowling(form):
     """Front plate, air intakes, exhaust, landing light."""
     mesh = Mesh()
-    front = fuselage_ring(*STATIONS[0])
+    front = fuselage_ring(form, *STATIONS[0])
     mesh.fan(front, "trim", (1.0, 0.0, 0.0))
     lip = [add(mul(sub(p, (2.14, -0.02, 0)), 0.93), (2.15, -0.02, 0.0)) for p in front]
     mesh.grid([front, lip], "silver", closed=True)
@@ -435,12 +466,12 @@ def cowling():
     return mesh
 
 
-def lights():
+def lights(form):
     mesh = Mesh()
     y = WING_Y + math.tan(DIHEDRAL) * 5.4
     mesh.ellipsoid((HINGE_X + 0.62, y, -5.44), (0.06, 0.025, 0.025), "light_red", sides=12)
     mesh.ellipsoid((HINGE_X + 0.62, y, 5.44), (0.06, 0.025, 0.025), "light_green", sides=12)
-    mesh.ellipsoid((-5.30, FIN_TOP + 0.01, 0.0), (0.035, 0.03, 0.025), "light_beacon", sides=12)
+    mesh.ellipsoid((-5.30, form.fin_top + 0.01, 0.0), (0.035, 0.03, 0.025), "light_beacon", sides=12)
     mesh.tube([(-0.9, 0.90, 0.0), (-0.98, 1.22, 0.0)], [0.012, 0.004], "trim", sides=6)      # aerial
     mesh.tube([(0.12, 0.92, 3.3), (0.12, 0.78, 3.3), (0.34, 0.77, 3.3)], 0.012, "silver", sides=6)  # pitot
     return mesh
@@ -612,10 +643,10 @@ def plate(mesh, x, corners, material):
     mesh.quad(ring if normal[0] < 0 else ring[::-1], material)
 
 
-def cockpit():
+def cockpit(form):
     mesh = Mesh()
     x = 0.80
-    edge = sorted((p[2], p[1]) for p in fuselage_ring(1.085, 0.0)[len(LOWER):SILL + len(UPPER)])
+    edge = sorted((p[2], p[1]) for p in fuselage_ring(form, 1.085, 0.0)[len(LOWER):SILL + len(UPPER)])
     rim = lambda z: curve(edge)(abs(z))  # the cowling's top edge under the windscreen
     outline = [(x, 0.335 - 0.085 * (abs(z) / 0.47) ** 3, z) for z in [0.47 - 0.094 * k for k in range(11)]]
     ring = outline + [(x, -0.12, -0.48), (x, -0.12, 0.48)]
@@ -636,7 +667,7 @@ def cockpit():
         mesh.tube([(x - 0.01, -0.07, z), (x - 0.10, -0.07, z)], 0.007, "silver", sides=8)
         mesh.lathe([(x - 0.125, 0.001), (x - 0.12, 0.02), (x - 0.10, 0.022), (x - 0.095, 0.001)], material, axis=0, sides=14, middle=(0, -0.07, z))
     mesh.quad([(1.0, -0.46, 0.38), (1.0, -0.46, -0.38), (-1.2, -0.46, -0.38), (-1.2, -0.46, 0.38)][::-1], "carpet")
-    wall = [p for p in fuselage_ring(-1.24, 0.0, 0.03) if p[1] < 0.36]
+    wall = [p for p in fuselage_ring(form, -1.24, 0.0, 0.03) if p[1] < 0.36]
     mesh.fan(wall, "lining", (1.0, 0.0, 0.0))
     for side in (-1, 1):
         seat(mesh, side * 0.27)
@@ -728,22 +759,40 @@ PLANE_MATERIALS = {
 }
 
 
-def plane():
-    skin, cowl, glass, cabin = fuselage()
+def pod():
+    """Under the belly, for freight: a shallow trough with rounded ends."""
+    mesh = Mesh()
+    rows = []
+    for x, s in ((0.92, 0.02), (0.86, 0.45), (0.70, 0.78), (0.45, 0.95), (0.1, 1.0), (-1.0, 1.0), (-1.5, 0.93), (-1.9, 0.62), (-2.15, 0.25), (-2.25, 0.02)):
+        low, wide, top = -0.58 - 0.25 * s, 0.10 + 0.33 * s ** 0.5, -0.52
+        rows.append([(x, top + (low - top) * max(0.0, math.sin(a)) ** 0.6, wide * math.copysign(abs(math.cos(a)) ** 0.6, math.cos(a)))
+                     for a in (math.pi * k / 12 for k in range(13))])
+    mesh.grid(rows, "skin_yellow")
+    if next(iter(mesh.parts.values()))[0][len(rows[0]) // 2][1][1] > 0:
+        mesh = Mesh().grid(rows, "skin_yellow", inward=True)
+    return mesh
+
+
+def plane(form):
+    skin, cowl, glass, cabin = fuselage(form)
     wing_mesh, wing_nodes = wings()
-    stab, elevator = tailplane()
-    fin_mesh, rudder = fin()
+    stab, elevator = tailplane(form)
+    fin_mesh, rudder = fin(form)
     gear, wheels = undercarriage()
-    turning, disc, spinner = propeller()
+    turning, disc, spinner = propeller(form)
     outside = Mesh().extend(skin).extend(fin_mesh)
-    surfaces = Mesh().extend(wing_mesh).extend(stab).extend(struts()).extend(gear).extend(lights())
-    seats, moving = cockpit()
+    surfaces = Mesh().extend(wing_mesh).extend(stab).extend(struts(form)).extend(gear).extend(lights(form))
+    if form.pod:
+        surfaces.extend(pod())
+    seats, moving = cockpit(form)
     inside = Mesh().extend(cabin).extend(seats)
-    roots = [Node("exterior_fuselage", outside, children=[Node("glass", glass)]), Node("cowling", Mesh().extend(cowl).extend(cowling())), Node("exterior_wings", surfaces), Node("interior_cabin", inside, children=moving),
+    roots = [Node("exterior_fuselage", outside, children=[Node("glass", glass)]), Node("cowling", Mesh().extend(cowl).extend(cowling(form))), Node("exterior_wings", surfaces), Node("interior_cabin", inside, children=moving),
              Node("pilot", pilot()), Node("yoke_left", yoke(), at=(0.58, 0.10, -0.27)), Node("yoke_right", yoke(), at=(0.58, 0.10, 0.27)),
              *wing_nodes, elevator, rudder, *wheels, turning, spinner, disc]
-    writer = Writer(PLANE_MATERIALS, {"side": livery.side_png(), "wing": livery.wing_png()})
-    writer.save(os.path.join(OUT, "plane.glb"), [Node("plane", children=roots)])
+    paint = dict(color=srgb(*form.livery.body), rough=0.36)
+    materials = PLANE_MATERIALS | {"skin_yellow": paint, "yellow": paint | dict(rough=0.42), "red": dict(color=srgb(*form.livery.band), rough=0.3)}
+    writer = Writer(materials, {"side": livery.side_png(form.livery), "wing": livery.wing_png(form.livery)})
+    writer.save(os.path.join(OUT, form.name + ".glb"), [Node("plane", children=roots)])
 
 
 # --- freight and airfield -------------------------------------------------------------------------------------
@@ -900,7 +949,9 @@ def drop_zone():
 
 def main():
     os.makedirs(OUT, exist_ok=True)
-    for make in (plane, parcel, parachute, windsock, hangar, drop_zone):
+    for form in (MAIL, FREIGHT):
+        plane(form)
+    for make in (parcel, parachute, windsock, hangar, drop_zone):
         make()
 
 

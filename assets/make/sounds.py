@@ -112,6 +112,12 @@ def wind():
     save("wind", [low[i] * sway(i, 2, 0.4) + 0.62 * middle[i] * sway(i, 3, 2.0) + 0.30 * high[i] * sway(i, 5, 4.1) for i in range(count)], 0.80)
 
 
+def strike(ring, start, loud, pitch, fade, seconds):
+    """Adds a tone that dies away, `fade` s to 1/e, to a loop."""
+    for i in range(int(seconds * RATE)):
+        ring[(start + i) % len(ring)] += loud * math.exp(-i / RATE / fade) * math.sin(TAU * pitch * i / RATE)
+
+
 def rain():
     """A hiss and single drops on metal and glass. 3 s."""
     count = 3 * RATE
@@ -121,8 +127,7 @@ def rain():
     for _ in range(420):
         start, pitch, loud = source.randrange(count), source.uniform(900, 3800), source.random() ** 2
         fade = source.uniform(0.004, 0.014)
-        for i in range(int(5 * fade * RATE)):
-            drops[(start + i) % count] += loud * math.exp(-i / RATE / fade) * math.sin(TAU * pitch * i / RATE)
+        strike(drops, start, loud, pitch, fade, 5 * fade)
     save("rain", mix((1.0, hiss), (0.75, normal(drops))), 0.80)
 
 
@@ -143,9 +148,7 @@ def wheels():
     source = random.Random(73)
     for _ in range(26):
         start, loud = source.randrange(count), source.uniform(0.3, 1)
-        for i in range(int(0.12 * RATE)):
-            t = i / RATE
-            knock[(start + i) % count] += loud * math.exp(-t / 0.03) * math.sin(TAU * 74 * t)
+        strike(knock, start, loud, 74, 0.03, 0.12)
     save("wheels", mix((1.0, rumble), (0.25, grit), (0.6, normal(knock))), 0.82)
 
 
@@ -157,9 +160,7 @@ def buffet():
     source = random.Random(142)
     for k in range(22):
         start, loud = int((k + source.uniform(-0.25, 0.25)) / 22 * count), source.uniform(0.4, 1)
-        for i in range(int(0.16 * RATE)):
-            t = i / RATE
-            thump[(start + i) % count] += loud * math.exp(-t / 0.035) * math.sin(TAU * 52 * t)
+        strike(thump, start, loud, 52, 0.035, 0.16)
     save("buffet", mix((0.8, roar), (1.0, normal(thump))), 0.85)
 
 

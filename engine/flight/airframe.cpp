@@ -264,6 +264,8 @@ void readWingAndControls(Reader& in, Airframe& frame) {
     frame.aileronDown = controls.angle("aileronDown_deg", 1.0, 60.0);
     frame.rudder = controls.angle("rudder_deg", 1.0, 60.0);
     frame.flapTravel = controls.angle("flaps_deg", 0.0, 60.0);
+    double const takeoffFlaps = controls.angle("takeoffFlaps_deg", 0.0, core::degrees(frame.flapTravel));
+    frame.takeoffFlaps = frame.flapTravel > 0.0 ? takeoffFlaps / frame.flapTravel : 0.0;
     frame.flapSeconds = controls.number("flapSeconds", 0.1, 60.0);
     frame.surfaceSeconds = controls.number("surfaceSeconds", 0.01, 1.0);
     controls.finish();

@@ -101,6 +101,7 @@ struct Airframe {
     double elevatorUp = 0.49, elevatorDown = 0.4, aileronUp = 0.35, aileronDown = 0.26,
            rudder = 0.28;                         // rad of travel
     double flapTravel = 0.52, flapSeconds = 6.0;  // rad, s for the full travel
+    double takeoffFlaps = 1.0 / 3.0;              // share of the travel that the handbook takes off with
     double surfaceSeconds = 0.15;                 // time constant of the controls
     PropellerData propeller;
     EngineData engine;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kSteepestBank = core::radians(25.0);
 constexpr double kTakeOver = 0.15;  // share of the stick's travel
 constexpr double kSlowest = 1.35, kGuarded = 1.25;  // stalls
+constexpr double kRaising = 40.0 * core::kMetresPerFoot, kTurning = core::radians(5.0);  // a second
 
 /// -pi..pi, from one angle to another.
 double turn(double from, double to) { return core::atan2(core::sin(to - from), core::cos(to - from)); }
@@ -19,8 +20,7 @@ double turn(double from, double to) { return core::atan2(core::sin(to - from), c
 double turnWanted(AircraftState const& state, AutopilotSettings const& settings, glm::dvec2 targetEastNorth,
                   AutopilotMemory const& memory) {
     Readings const& now = state.readings;
-    if (settings.course == AutopilotCourse::heading) return turn(now.heading, core::radians(settings.heading_deg));
-    if (settings.course == AutopilotCourse::engaged) return turn(now.heading, memory.heading);
+    if (settings.course != AutopilotCourse::target) return turn(now.heading, autopilotHeading(settings, memory));
     double const east = targetEastNorth.x - state.positionWorld.x, north = targetEastNorth.y + state.positionWorld.z;
     return turn(core::atan2(state.velocityWorld.x, -state.velocityWorld.z), core::atan2(east, north));
 }
@@ -39,13 +39,25 @@ AutopilotMemory engagedAutopilot(Airframe const& airframe, AircraftState const& 
     return {true, now.heading, state.positionWorld.y + now.climb, speed, state.commands.throttle};
 }
 
+void turnKnobs(AutopilotMemory& memory, Airframe const& airframe, double lever, double climb, double turn) {
+    double const slowest = kSlowest * airframe.stallSpeed, fastest = airframe.cruiseLimitSpeed;
+    memory.speed = std::clamp(memory.speed + lever * (fastest - slowest), slowest, fastest);
+    memory.raised += climb * kRaising * core::kTickSeconds;
+    memory.turned += turn * kTurning * core::kTickSeconds;
+}
+
+double autopilotHeading(AutopilotSettings const& settings, AutopilotMemory const& memory) {
+    bool const set = settings.course == AutopilotCourse::heading;
+    return (set ? core::radians(settings.heading_deg) : memory.heading) + memory.turned;
+}
+
 bool takesOver(Controls const& stick) {
     return std::abs(stick.elevator) > kTakeOver || std::abs(stick.aileron) > kTakeOver ||
            std::abs(stick.rudder) > kTakeOver;
 }
 
 double autopilotAltitude(AutopilotSettings const& settings, AutopilotMemory const& memory) {
-    return settings.altitude_ft > 0.0 ? settings.altitude_ft * core::kMetresPerFoot : memory.altitude;
+    return (settings.altitude_ft > 0.0 ? settings.altitude_ft * core::kMetresPerFoot : memory.altitude) + memory.raised;
 }
 
 Controls autopilotHands(AircraftState const& state, Airframe const& airframe, AutopilotSettings const& settings,

@@ -33,15 +33,22 @@ struct AutopilotMemory {
     double altitude = 0.0;  // m above sea level, the same
     double speed = 0.0;     // m/s calibrated, held by power
     double power = 0.0;     // 0..1, what the speed needs so far
+    double turned = 0.0;    // rad, what its knobs add to the heading, engaged or set ...
+    double raised = 0.0;    // m, ... and to the altitude
 
     template <class Take>
     void forEachNumber(Take&& take) const {
-        for (double value : {engaged ? 1.0 : 0.0, heading, altitude, speed, power}) take(value);
+        for (double value : {engaged ? 1.0 : 0.0, heading, altitude, speed, power, turned, raised}) take(value);
     }
 };
 
 /// From now on this heading, this altitude, this speed (within what the airframe cruises at).
 AutopilotMemory engagedAutopilot(Airframe const& airframe, AircraftState const& state);
+/// Its knobs in this tick: the lever's whole travel is from the slowest speed to the airframe's cruise limit; `climb` and `turn`,
+/// -1..1, move the altitude by 40 ft and the heading by 5 degrees a second.
+void turnKnobs(AutopilotMemory& memory, Airframe const& airframe, double lever, double climb, double turn);
+/// The heading that it flies to, rad from true north; not on the way to a target.
+double autopilotHeading(AutopilotSettings const& settings, AutopilotMemory const& memory);
 /// True where the player takes over: a stick or pedal moved well out of its centre.
 bool takesOver(Controls const& stick);
 /// The hands of this tick, for assist normal; `targetEastNorth` in m.

@@ -21,7 +21,7 @@ constexpr core::Place kCardPlace{47.541, 7.584, 0.0};  // of the presets, at sea
 constexpr double kWindFrom = core::radians(80.0);      // off the runway: a little from ahead, so that its end is certain
 
 bool isTestCard(std::string_view bot) { return bot.starts_with(kCard); }
-/// Flown by a test pilot with the bare aircraft.
+/// Flown by a test pilot, with the bare aircraft where nobody asks for another assist.
 bool isCard(std::string_view bot) { return isTestCard(bot) || bot == bot::kCircuit; }
 std::string_view cardName(std::string_view bot) { return isTestCard(bot) ? bot.substr(kCard.size()) : bot; }
 
@@ -53,17 +53,19 @@ std::string windAcross(double speed, double runwayHeading, core::Place const& pl
 
 bot::CardGround cardGround(terrain::Land const& land, weather::Field const& field, core::UtcSeconds time) {
     RunwayStart const start = runwayStart(land, field, time);
+    weather::Weather const air = field.at(0.0, 0.0, time);
     return {.thresholdEastNorth = start.thresholdEastNorth,
             .heading = start.heading,
             .altitude = land.base(),
             .clear = highestWithin(land, 6000.0) + 60.0,
-            .clearFar = highestWithin(land, 40000.0) + 150.0};
+            .clearFar = highestWithin(land, 40000.0) + 150.0,
+            .gust = std::max(air.gust - glm::length(air.windSurface), 0.0)};
 }
 
 std::unique_ptr<bot::Pilot> makePilot(std::string const& name, World const& world,
-                                      flight::Airframe const& airframe, core::UtcSeconds time) {
+                                      flight::Airframe const& airframe, flight::AssistLevel assist, core::UtcSeconds time) {
     if (name == "courier") return std::make_unique<bot::Courier>(world.ground(), airframe.stallSpeed);
-    return std::make_unique<bot::Card>(cardName(name), airframe, cardGround(world.land(), world.field(), time));
+    return std::make_unique<bot::Card>(cardName(name), airframe, cardGround(world.land(), world.field(), time), assist);
 }
 
 void checkBot(PlayTexts const& texts, CommonOptions const& common) {
@@ -80,13 +82,15 @@ void checkBot(PlayTexts const& texts, CommonOptions const& common) {
     bool const otherAssist = (!texts.assist.empty() && texts.assist != "sim") ||
                              (assigns(common, "aircraft.assist") &&
                               common.settings.flight.pilot.assist != flight::AssistLevel::sim);
-    if (otherAssist)
+    if (isTestCard(bot) && otherAssist)
         throw core::Error{"--assist", "", fmt::format("expected sim with --bot {}, which measures the bare aircraft", bot)};
 }
 
-WeatherInput prepareForBot(std::string const& name, CommonOptions& common) {
+WeatherInput prepareForBot(PlayTexts const& texts, CommonOptions& common) {
+    std::string const& name = texts.bot;
     if (!isCard(name)) return {};
-    common.settings.flight.pilot.assist = flight::AssistLevel::sim;
+    bool const chosen = !texts.assist.empty() || assigns(common, "aircraft.assist");
+    if (!chosen) common.settings.flight.pilot.assist = flight::AssistLevel::sim;
     if (!isTestCard(name) || !common.weather.empty()) return {};
     common.weather = kCardWeather;
     if (!common.place) common.place = PlaceOption{kCardPlace.lat_deg, kCardPlace.lon_deg, kCardPlace.altitude_m};

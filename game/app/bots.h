@@ -13,13 +13,13 @@ bot::CardGround cardGround(terrain::Land const& land, weather::Field const& fiel
 
 /// `name` passed checkBot.
 std::unique_ptr<bot::Pilot> makePilot(std::string const& name, World const& world,
-                                      flight::Airframe const& airframe, core::UtcSeconds time);
+                                      flight::Airframe const& airframe, flight::AssistLevel assist, core::UtcSeconds time);
 
 /// Throws core::Error for a bot that is none, or options that contradict it.
 void checkBot(PlayTexts const& texts, CommonOptions const& common);
 /// What a card needs and nobody asked for otherwise: assist sim, the standard atmosphere at sea level. Gives the weather of
 /// the card that needs wind across the runway, else an empty one.
-WeatherInput prepareForBot(std::string const& name, CommonOptions& common);
+WeatherInput prepareForBot(PlayTexts const& texts, CommonOptions& common);
 /// Where the bot begins.
 void planStartForBot(std::string const& name, weather::Field const& field, flight::Airframe const& airframe,
                      FlightPlan& plan);

@@ -10,6 +10,9 @@ namespace luftpost::app {
 enum class AirframeChoice { mailPlane, freightPlane };
 inline constexpr std::array<std::string_view, 2> kAirframeWords{"mail_plane", "freight_plane"};
 
+/// Their models: names of files in assets/models.
+inline constexpr std::array<char const*, kAirframeWords.size()> kAirframeModels{"plane", "freight_plane"};
+
 using Hangar = std::array<flight::Airframe, kAirframeWords.size()>;
 /// Throws core::Error where a file is missing or broken.
 Hangar loadHangar();

@@ -41,6 +41,7 @@ ui::HudState instruments(Simulation const& simulation) {
     flight::Readings const& readings = aircraft.readings;
     delivery::Delivery const& delivery = simulation.delivery();
     delivery::DropZone const& zone = delivery.target();
+    flight::Controls const& levers = simulation.stick().controls();
     ui::HudState hud;
     hud.time = simulation.seconds();
     hud.utc = simulation.utc();
@@ -52,9 +53,9 @@ ui::HudState instruments(Simulation const& simulation) {
     hud.heading = readings.heading;
     hud.pitch = readings.pitch;
     hud.roll = readings.roll;
-    hud.throttle = simulation.stick().controls().throttle;
-    hud.flaps = simulation.stick().controls().flaps;
-    hud.brakes = simulation.stick().controls().brakes;
+    hud.throttle = levers.throttle;
+    hud.flaps = levers.flaps;
+    hud.brakes = levers.brakes;
     hud.rpm = aircraft.propellerRate * 60.0 / (2.0 * core::kPi);
     hud.fuel_kg = aircraft.fuel;
     flight::Airframe const& airframe = simulation.aircraft().airframe();
@@ -66,8 +67,8 @@ ui::HudState instruments(Simulation const& simulation) {
     hud.loadFactor = readings.loadFactor;
     hud.sideLoad = readings.sideLoad;
     hud.turnRate = readings.yawRate;
-    hud.elevatorTrim = simulation.stick().controls().elevatorTrim;
-    hud.rudderTrim = simulation.stick().controls().rudderTrim;
+    hud.elevatorTrim = levers.elevatorTrim;
+    hud.rudderTrim = levers.rudderTrim;
     flight::AssistLevel const assist = simulation.settings().pilot.assist;
     hud.trimActs = assist == flight::AssistLevel::sim || assist == flight::AssistLevel::light;
     hud.stuck = isStuck(simulation);

@@ -201,7 +201,7 @@ PlayOptions playOptions(PlayTexts const& texts, CommonOptions const& given) {
         core::SettingList list = settingList(common.settings);
         core::assignSetting(*core::findSetting(list, "aircraft.assist"), "--assist", texts.assist);
     }
-    WeatherInput botWeather = prepareForBot(texts.bot, common);
+    WeatherInput botWeather = prepareForBot(texts, common);
     common.settings.weather.live = wantsLive(common);
     options.run.settings = common.settings;
     options.session.plan = flightPlan(texts, common, std::move(botWeather), options.run);

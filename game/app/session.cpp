@@ -32,7 +32,8 @@ Session::Session(SessionOptions options)
                               ", found " + found};
     loadScriptedWeather(world_, options_.script);
     if (!options_.bot.empty())
-        pilot_ = makePilot(options_.bot, world_, simulation_.aircraft().airframe(), options_.plan.simulation.time);
+        pilot_ = makePilot(options_.bot, world_, simulation_.aircraft().airframe(),
+                           options_.plan.simulation.settings.pilot.assist, options_.plan.simulation.time);
     keepRow();
     keepWay();
     if (options_.weather) flown_.begin(world_.field(), simulation_.utc());

@@ -75,6 +75,9 @@ void Simulation::apply(FlightInput const& input) {
         core::Setting* const setting = core::findSetting(list, change->key);
         CHECK(setting, "{} does not change the flight", change->key);
         setting->set(change->value);
+        // What is set in the menu holds as it stands there: the knobs begin anew from it.
+        if (change->key == "aircraft.autopilotAltitude_ft") autopilot_.raised = 0.0;
+        if (change->key == "aircraft.autopilotHeading_deg" || change->key == "aircraft.autopilotCourse") autopilot_.turned = 0.0;
     }
 }
 
@@ -87,7 +90,7 @@ void Simulation::setClock(core::UtcSeconds utc, double rate) {
 void Simulation::step() {
     weather::AirInstant const instant = airNow();
     core::AirFunction const air = [&instant](glm::dvec3 const& p, core::UtcSeconds) { return instant.at(p); };
-    ui::Stick::Action const action = stick_.step(sample_, settings_.input);
+    ui::Stick::Action const action = stick_.step(sample_, settings_.input, autopilot_.engaged);
     if (action.respawn) respawn();
     if (action.drop) releaseParcel();
     if (action.autopilot) switchAutopilot(!autopilot_.engaged);
@@ -111,6 +114,7 @@ void Simulation::stepAircraft(ui::Stick::Action const& action, core::AirFunction
     if (autopilot_.engaged && flight::takesOver(controls)) switchAutopilot(false);
     if (autopilot_.engaged) {
         delivery::DropZone const& zone = delivery_.target();
+        flight::turnKnobs(autopilot_, aircraft_.airframe(), action.leverMoved, action.trimPitch, action.trimYaw);
         double const flaps = controls.flaps;
         controls = flight::autopilotHands(aircraft_.state(), aircraft_.airframe(), settings_.autopilot,
                                           {zone.east, zone.north}, autopilot_);
@@ -141,10 +145,12 @@ std::string Simulation::autopilotText() const {
     using flight::AutopilotCourse;
     if (!autopilot_.engaged) return {};
     AutopilotCourse const course = settings_.autopilot.course;
-    double const heading = course == AutopilotCourse::heading ? settings_.autopilot.heading_deg : core::degrees(autopilot_.heading);
-    std::string const steers = course == AutopilotCourse::target ? "to " + delivery_.target().name : fmt::format("heading {:.0f}", heading);
+    double const heading = core::degrees(flight::autopilotHeading(settings_.autopilot, autopilot_)) + 360.0;
+    std::string const steers = course == AutopilotCourse::target ? "to " + delivery_.target().name
+                                                                 : fmt::format("heading {:.0f}", std::fmod(heading, 360.0));
     double const altitude_ft = flight::autopilotAltitude(settings_.autopilot, autopilot_) / core::kMetresPerFoot;
-    return fmt::format("AUTOPILOT  {}  altitude {:.0f} ft", steers, altitude_ft);
+    return fmt::format("AUTOPILOT  {}  altitude {:.0f} ft  speed {:.0f} kt", steers, altitude_ft,
+                       autopilot_.speed / core::kMetresPerSecondPerKnot);
 }
 
 void Simulation::releaseParcel() {

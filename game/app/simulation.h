@@ -58,6 +58,8 @@ public:
     double clockRate() const { return clockRate_; }
 
     flight::Aircraft const& aircraft() const { return aircraft_; }
+    /// Which of the hangar's that is.
+    AirframeChoice airframeChoice() const { return flown_; }
     flight::AircraftState const& before() const {
         return before_;
     }  // of the tick before, for the picture between

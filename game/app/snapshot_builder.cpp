@@ -82,7 +82,7 @@ render::ModelInstance planeInstance(Simulation const& simulation, GameModels con
     flight::AircraftState const& state = simulation.aircraft().state();
     flight::AircraftPose const pose = shownPose(simulation, view.share);
     render::ModelInstance plane;
-    plane.model = models.plane;
+    plane.model = models.planes[static_cast<std::size_t>(simulation.airframeChoice())];
     plane.positionWorld = pose.positionWorld;
     plane.worldFromModel = pose.worldFromBody;
     plane.castsShadow = true;
@@ -178,7 +178,7 @@ void addDropZone(Simulation const& simulation, GameModels const& models, core::U
 }  // namespace
 
 GameModels::GameModels(render::Renderer& renderer)
-    : plane{renderer.loadModel("plane")},
+    : planes{renderer.loadModel(kAirframeModels[0]), renderer.loadModel(kAirframeModels[1])},
       parcel{renderer.loadModel("parcel")},
       parachute{renderer.loadModel("parachute")},
       windsock{renderer.loadModel("windsock")},

@@ -10,7 +10,8 @@ namespace luftpost::app {
 /// The models of the game in the renderer.
 struct GameModels {
     explicit GameModels(render::Renderer& renderer);
-    render::ModelId plane, parcel, parachute, windsock, hangar, dropZone;
+    std::array<render::ModelId, kAirframeModels.size()> planes;  // by AirframeChoice
+    render::ModelId parcel, parachute, windsock, hangar, dropZone;
 };
 
 /// The aircraft as this frame shows it: `share` of the way from the tick before to the tick now.

@@ -10,6 +10,7 @@ namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kFoot = core::kMetresPerFoot;
 constexpr double kObstacle = 50.0 * kFoot;  // m
+constexpr double kRotate = 1.0;             // stalls with the flaps as they are
 constexpr double kFlareSeconds = 2.3;       // of the sink that there is, above the ground
 
 glm::dvec2 direction(double heading) { return {core::sin(heading), core::cos(heading)}; }
@@ -33,10 +34,10 @@ Manoeuvre Card::takeOff() {
     double const from = along();
     double roll = 0.0, off = 0.0;
     pilot_.stick.throttle = 1.0;
-    pilot_.stick.flaps = 1.0 / 3.0;
+    pilot_.stick.flaps = takeoffFlaps_;
     for (double t = 0.0; t < 60.0 && now().height < kObstacle; t += kTick, co_await nextTick()) {
         pilot_.steerAlong(ground_.heading, across());
-        if (now().cas > stalls(0.98)) pilot_.holdPitch(0.17);
+        if (now().cas > kRotate * takeoffStall_) pilot_.holdPitch(0.17);
         off = std::max(off, std::abs(across()));
         if (roll == 0.0 && now().height > 0.3) roll = along() - from;
     }

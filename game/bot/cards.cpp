@@ -88,15 +88,20 @@ Card::Row const& Card::row(std::string_view name) {
     return *found;
 }
 
-Card::Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground)
+Card::Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground,
+           flight::AssistLevel assist)
     : name_{name},
       stall_kt_{knots(airframe.stallSpeed)},
+      takeoffFlaps_{airframe.takeoffFlaps},
+      takeoffStall_{airframe.stallSpeed + airframe.takeoffFlaps * (airframe.stallSpeedFlaps - airframe.stallSpeed)},
       ground_{ground},
       start_{row(name).start(*this)},
       manoeuvre_{(this->*row(name).fly)()},
       after_{afterwards()},
       course_{ground.heading},
-      altitude_{start_.altitude} {}
+      altitude_{start_.altitude} {
+    pilot_.assist = assist;
+}
 
 void Card::look(flight::AircraftState const& state) {
     pilot_.look(state);

@@ -22,6 +22,7 @@ struct CardGround {
     double altitude = 0.0;               // m above sea level, of the runway
     double clear = 30.0;   // m above sea level: nothing within 6 km of the runway reaches up to it
     double clearFar = 100.0;  // the same within 40 km
+    double gust = 0.0;        // m/s, what gusts add to the wind at the runway, as reported
 };
 /// How a card begins; wings level and trimmed, or at rest on the runway's threshold.
 struct CardStart {
@@ -37,7 +38,9 @@ public:
     static constexpr double kCrosswind_kt = 15.0;  // from the runway's right: what the card of this name needs
 
     /// `name` is one of cardNames() or kCircuit.
-    Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground);
+    /// Each card measures the bare aircraft, with assist sim; only the circuit is flown with any `assist`.
+    Card(std::string_view name, flight::Airframe const& airframe, CardGround const& ground,
+         flight::AssistLevel assist = flight::AssistLevel::sim);
     Card(Card const&) = delete;
     Card& operator=(Card const&) = delete;
 
@@ -112,7 +115,9 @@ private:
     static std::span<Row const> rows();
 
     std::string name_;
-    double stall_kt_;  // of the airframe's marks
+    double stall_kt_;      // of the airframe's marks
+    double takeoffFlaps_;  // share of their travel
+    double takeoffStall_;  // m/s, with the flaps so
     CardGround ground_;
     CardStart start_;
     TestPilot pilot_;

@@ -10,14 +10,19 @@ namespace {
 constexpr double kTick = core::kTickSeconds;
 constexpr double kUp = 200.0;          // m over the airfield, of the circuit
 constexpr double kOnFinal = 0.012;     // rad of course per m off the line
-constexpr double kMostAlpha = core::radians(11.0);
+constexpr double kMostAlpha = core::radians(13.0);
 constexpr double kClimb = 2.5;         // m/s, with speed to spare for the turns
 constexpr double kAside = 900.0;       // m, the downwind leg beside the runway
 constexpr double kBaseTurn = 1300.0;   // m before the threshold
 constexpr double kSlope = 0.075;       // of the final approach
 constexpr double kAim = 120.0;         // m behind the threshold, where the slope meets the runway
-constexpr double kAlign = 8.0;         // m of height, from where one wing is low and the nose along the runway
-constexpr double kFlare = 6.0;         // m
+constexpr double kAlign = 6.0;         // m of height, from where one wing is low and the nose along the runway
+constexpr double kFlareSeconds = 2.5;  // of the sink that there is, above the ground
+constexpr double kTouch = 0.35;        // m/s, the sink that the flare ends with ...
+constexpr double kRound = 0.35;        // 1/s, ... and what each metre of height adds to it
+constexpr double kCut = 0.8;           // m, from where the lever goes back ...
+constexpr double kCutRate = 0.5;       // 1/s, ... so fast; above, a lull is answered with power
+constexpr double kLullPower = 0.1;     // of the lever per m/s that a lull takes
 }  // namespace
 
 double Card::windAcross() const {
@@ -41,7 +46,7 @@ void Card::followLine(double course, double aside, double gain) {
 
 Manoeuvre Card::leaveRunway() {
     pilot_.stick.throttle = 1.0;
-    pilot_.stick.flaps = 1.0 / 3.0;
+    pilot_.stick.flaps = takeoffFlaps_;
     bool up = false;
     for (; now().height < 5.0; co_await nextTick()) {
         up = up || now().cas > stalls(1.15);  // held down until it flies at once, gusts and all
@@ -84,12 +89,12 @@ double Card::slopeHeight() const { return std::max(kSlope * (kAim - along()), 0.
 Manoeuvre Card::flyFinal() {
     pilot_.stick.flaps = 1.0 / 3.0;
     bool established = false;
-    while (now().height > kFlare) {
+    while (now().height > std::max(-kFlareSeconds * now().climb, 2.0)) {
         double const height = pilot_.state().positionWorld.y - ground_.altitude;
         established = established || across() > -250.0;
         double const wanted = -kSlope * now().groundSpeed + 0.25 * (slopeHeight() - height);
         pilot_.holdClimb(std::clamp(established ? wanted : std::min(wanted, 0.0), -5.0, 1.0));
-        pilot_.holdSpeedByPower(finalSpeed());
+        pilot_.holdSpeedByPower(finalSpeed(), kLullPower);
         if (!established)
             pilot_.holdTrack(ground_.heading + 0.5 * core::kPi);
         else if (height > kAlign)
@@ -100,11 +105,17 @@ Manoeuvre Card::flyFinal() {
     }
 }
 
-/// Wing low, down to the wheels, the lever slowly back.
+/// Down to the wheels; the nose comes along the runway late, one wing low.
 void Card::flare() {
-    pilot_.slipAlong(ground_.heading, across(), drift(), windAcross());
-    pilot_.holdPath((-0.4 - 0.3 * now().height) / now().tas);
-    pilot_.stick.throttle = std::max(pilot_.stick.throttle - 0.3 * kTick, 0.0);
+    if (now().height < kAlign)
+        pilot_.slipAlong(ground_.heading, across(), drift(), windAcross());
+    else
+        followLine(ground_.heading, 0.0, kOnFinal);
+    pilot_.holdSink(-kTouch - kRound * now().height);
+    if (now().height > kCut)
+        pilot_.holdSpeedByPower(finalSpeed(), kLullPower);
+    else
+        pilot_.stick.throttle = std::max(pilot_.stick.throttle - kCutRate * kTick, 0.0);
 }
 
 Manoeuvre Card::touchDown() {
@@ -131,11 +142,8 @@ Manoeuvre Card::touchDown() {
     put("stopped_at_m", along());
 }
 
-/// A little faster the more wind there is: gusts come with it.
-double Card::finalSpeed() const {
-    double const wind = std::sqrt(now().windWorld.x * now().windWorld.x + now().windWorld.z * now().windWorld.z);
-    return std::min(stalls(1.3) + 0.25 * wind, stalls(1.55));
-}
+/// Half the gust is added, as pilots do: a lull takes no more away than there is to spare.
+double Card::finalSpeed() const { return std::min(stalls(1.3) + 0.5 * ground_.gust, stalls(1.55)); }
 
 Manoeuvre Card::circuit() {
     pilot_.mostAlpha = kMostAlpha;

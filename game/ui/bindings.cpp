@@ -29,7 +29,7 @@ constexpr auto kActions = std::to_array<ActionRow>({
     {"keys.brakes", "Flight", "Brakes", "b pad.east joy1.button2", brakes},
     {"keys.drop", "Flight", "Drop the parcel", "space pad.south joy1.button1", drop},
     {"keys.respawn", "Flight", "Respawn (hold)", "r pad.leftThumb", respawn},
-    {"keys.autopilot", "Flight", "Autopilot on and off", "t", autopilot},
+    {"keys.autopilot", "Flight", "Autopilot on and off", "t pad.rightThumb", autopilot},
     {"keys.mouseFlight", "Flight", "Fly with the mouse", "m", Command::mouseFlight},
     {"keys.centreMouse", "Flight", "Centre the mouse's stick", "mouse.middle", Command::centreMouse},
 
@@ -122,7 +122,7 @@ std::vector<HelpRow> helpRows() {
             {"Flight", "brakes", {FlightKey::brakes}, {Axis::brakes}},
             {"Flight", "drop the parcel", {drop}},
             {"Flight", "held: in the air again", {respawn}},
-            {"Flight", "autopilot", {autopilot}},
+            {"Flight", "autopilot; lever and trim set it", {autopilot}},
             {"Flight", "fly with the mouse", {mouseFlight}},
             {"View", "next camera", {camera}},
             {"View", "chase, cockpit, wing", {CameraMode::chase, CameraMode::cockpit, CameraMode::wing}},

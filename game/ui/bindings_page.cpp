@@ -71,6 +71,14 @@ void BindingsPage::ask(bool axis, std::size_t row, std::size_t place) {
     note_.clear();
 }
 
+std::optional<Trigger> BindingsPage::heardBy(Wish const& wish, platform::Input const& input) {
+    if (wish.axis) return movedFirst(input, *wish.start);
+    if (auto const pressed = pressedFirst(input, *wish.before)) return pressed;
+    auto moved = movedFirst(input, *wish.start);  // an axis is a button, too, the way it was moved
+    if (moved) moved->reversed = axisValue(*moved, input) < axisValue(*moved, *wish.start);
+    return moved;
+}
+
 std::vector<SettingChange> BindingsPage::listen(platform::Input const& all, Bindings const& bindings,
                                                 bool overMenu) {
     platform::Input input = all;
@@ -80,7 +88,7 @@ std::vector<SettingChange> BindingsPage::listen(platform::Input const& all, Bind
     if (wasPressed(input, Key::escape)) return wish_.reset(), std::vector<SettingChange>{};
     if (!wish_->start) wish_->start = wish_->before = input;
     bool const away = wasPressed(input, Key::del);
-    auto const heard = wish_->axis ? movedFirst(input, *wish_->start) : pressedFirst(input, *wish_->before);
+    auto const heard = heardBy(*wish_, input);
     wish_->before = input;
     if (!away && !heard) return {};
     Wish const wish = *std::exchange(wish_, std::nullopt);
@@ -212,7 +220,7 @@ std::vector<SettingChange> BindingsPage::draw(Bindings const& bindings, platform
         wish_
             ? (wish_->axis
                    ? "Move the axis half way or more. Escape: leave it. Delete: none."
-                   : "Press a key or button (the mouse's beside this page). Escape: leave it. Delete: none.")
+                   : "Press a key or button (the mouse's beside this page) or push an axis that way. Escape: leave it. Delete: none.")
         : note_.empty() ? "Click a key to press another one. What had it before loses it."
                         : note_);
     if (ImGui::Button("Reset Keys")) {

@@ -36,6 +36,7 @@ private:
         std::size_t row = 0, place = 0;
         std::optional<platform::Input> start{}, before{};
     };
+    static std::optional<Trigger> heardBy(Wish const& wish, platform::Input const& input);
     std::vector<SettingChange> take(Wish const& wish, std::optional<Trigger> const& trigger, Bindings const& bindings);
     void drawAction(std::size_t row, Bindings const& bindings, std::vector<SettingChange>& changes);
     void drawAxis(std::size_t row, Bindings const& bindings, platform::Input const* input, std::vector<SettingChange>& changes);

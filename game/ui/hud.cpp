@@ -172,7 +172,8 @@ void drawWind(Pen const& pen, glm::vec2 at, HudState const& state) {
         drawText(pen.list, pen.f.small, at + pen.px(26, 0), kPaper, "Calm");
         return;
     }
-    glm::vec2 const way{glm::dvec2{state.windWorld.x, state.windWorld.z} / speed};  // north up: z south is down
+    glm::vec2 const way = windArrow(state.windWorld, state.heading);
+    pen.list.AddLine(im(middle - pen.px(0, 13)), im(middle - pen.px(0, 9)), kPaper, 2.0f * pen.s);  // the nose
     drawArrow(pen.list, middle - 10.0f * pen.s * way, middle + 10.0f * pen.s * way, 2.4f * pen.s, kYellow);
     double const from = wholeDegrees(std::atan2(-state.windWorld.x, state.windWorld.z));
     drawText(pen.list, pen.f.small, at + pen.px(26, 0), kPaper, fmt::format("{:03.0f}\u00b0  {:.0f} kt", from, knots(speed)));

@@ -72,4 +72,10 @@ EdgeMarker edgeMarker(CameraPose const& camera, glm::vec2 size_px, glm::vec2 mar
     glm::vec2 const limit = half / glm::max(glm::abs(way), glm::vec2{1e-6f});
     return {middle + way * std::min(limit.x, limit.y), way};
 }
+
+glm::vec2 windArrow(glm::dvec3 const& windWorld, double heading) {
+    double const ahead = windWorld.x * std::sin(heading) - windWorld.z * std::cos(heading);
+    double const right = windWorld.x * std::cos(heading) + windWorld.z * std::sin(heading);
+    return glm::vec2{glm::normalize(glm::dvec2{right, -ahead})};
+}
 }  // namespace luftpost::ui

@@ -43,4 +43,7 @@ struct EdgeMarker {
     glm::vec2 outward{0.0f};  // unit, zero when the point itself is seen
 };
 EdgeMarker edgeMarker(CameraPose const& camera, glm::vec2 size_px, glm::vec2 margin_px, glm::dvec3 const& pointWorld);
+/// Which way the wind's arrow points on the screen (x right, y down), of length 1: the nose is up, so that a headwind points
+/// down. `windWorld` is where the air goes to and not calm, `heading` rad.
+glm::vec2 windArrow(glm::dvec3 const& windWorld, double heading);
 }  // namespace luftpost::ui

@@ -52,6 +52,7 @@ void Stick::moveLevers(InputSample const& sample, InputSettings const& settings)
                          (pressed(sample, FlightKey::thrustStepDown) ? kLeverStep : 0.0);
     double const moved = std::clamp(rate, -1.0, 1.0) * kTickSeconds / kLeverSeconds + steps;
     controls_.throttle = std::clamp(controls_.throttle + moved, 0.0, 1.0);
+    leverMoved_ = moved;
     double const notches =
         (pressed(sample, FlightKey::flapsDown) ? 1.0 : 0.0) - (pressed(sample, FlightKey::flapsUp) ? 1.0 : 0.0);
     double const notch = std::round(controls_.flaps * kFlapNotches) + notches;
@@ -60,6 +61,7 @@ void Stick::moveLevers(InputSample const& sample, InputSettings const& settings)
         if (now && before && *now != *before) value = std::clamp<double>(*now, 0.0, 1.0);
     };
     takeLever(controls_.throttle, sample.pad.lever, before_.pad.lever);
+    if (sample.pad.lever && before_.pad.lever) leverMoved_ += static_cast<double>(*sample.pad.lever - *before_.pad.lever);
     takeLever(controls_.flaps, sample.pad.flaps, before_.pad.flaps);
 }
 
@@ -72,12 +74,12 @@ void Stick::moveTrim(InputSample const& sample) {
     if (sample.held(FlightKey::trimNeutral)) controls_.elevatorTrim = controls_.rudderTrim = 0.0;
 }
 
-void Stick::followKeys(InputSample const& sample, InputSettings const& settings) {
+void Stick::followKeys(InputSample const& sample, InputSettings const& settings, bool autopilot) {
     double const roll = shaped(sample.pad.roll, settings.rollDeadZone, settings.rollCurve);
     double const pitch = shaped(sample.pad.pitch, settings.pitchDeadZone, settings.pitchCurve);
     double const yaw = shaped(sample.pad.yaw, settings.yawDeadZone, settings.yawCurve);
     moveLevers(sample, settings);
-    moveTrim(sample);
+    if (!autopilot) moveTrim(sample);
     controls_.elevator =
         axisAfter(controls_.elevator, keyPair(sample, FlightKey::noseDown, FlightKey::noseUp),
                   sample.mouse ? static_cast<double>(sample.mouse->pitch) : pitch, settings);
@@ -89,16 +91,22 @@ void Stick::followKeys(InputSample const& sample, InputSettings const& settings)
     controls_.brakes = sample.held(FlightKey::brakes) ? 1.0 : braking;
 }
 
-Stick::Action Stick::step(InputSample const& sample, InputSettings const& settings) {
+Stick::Action Stick::step(InputSample const& sample, InputSettings const& settings, bool autopilot) {
+    leverMoved_ = 0.0;
     if (sample.direct)
         follow(*sample.direct);
     else
-        followKeys(sample, settings);
+        followKeys(sample, settings, autopilot);
     respawnTicks_ = sample.held(FlightKey::respawn) ? respawnTicks_ + 1 : 0;
     constexpr int kHeldTicks = static_cast<int>(kRespawnSeconds * core::kTicksPerSecond);
     auto const pressed = [&](FlightKey key) { return sample.held(key) && !before_.held(key); };
-    Action const action{controls_, pressed(FlightKey::drop), respawnTicks_ == kHeldTicks,
-                        pressed(FlightKey::autopilot)};
+    Action const action{.controls = controls_,
+                        .drop = pressed(FlightKey::drop),
+                        .respawn = respawnTicks_ == kHeldTicks,
+                        .autopilot = pressed(FlightKey::autopilot),
+                        .leverMoved = leverMoved_,
+                        .trimPitch = keyPair(sample, FlightKey::trimNoseDown, FlightKey::trimNoseUp),
+                        .trimYaw = keyPair(sample, FlightKey::trimYawLeft, FlightKey::trimYawRight)};
     before_ = sample;
     return action;
 }

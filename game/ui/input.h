@@ -83,8 +83,11 @@ public:
         bool drop = false;     // the key went down in this tick
         bool respawn = false;  // held long enough in this tick
         bool autopilot = false;  // the key went down in this tick
+        double leverMoved = 0.0;  // how far keys and axes pushed the thrust lever, past its stops as well
+        double trimPitch = 0.0, trimYaw = 0.0;  // the keys of the trim wheels, -1..1: + nose up, + nose right
     };
-    Action step(InputSample const& sample, InputSettings const& settings);
+    /// With `autopilot` on the trim wheels stay where they are: their keys are its knobs.
+    Action step(InputSample const& sample, InputSettings const& settings, bool autopilot = false);
 
     /// The levers of a start or respawn: the trim is solved anew there.
     void begin(double throttle) {
@@ -106,12 +109,13 @@ public:
 
 private:
     void follow(DirectStick const& stick);
-    void followKeys(InputSample const& sample, InputSettings const& settings);
+    void followKeys(InputSample const& sample, InputSettings const& settings, bool autopilot);
     void moveLevers(InputSample const& sample, InputSettings const& settings);
     void moveTrim(InputSample const& sample);
     bool pressed(InputSample const& sample, FlightKey key) const { return sample.held(key) && !before_.held(key); }
 
     flight::Controls controls_;
+    double leverMoved_ = 0.0;  // in this tick
     InputSample before_;
     int respawnTicks_ = 0;
 };

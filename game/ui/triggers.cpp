@@ -105,6 +105,27 @@ std::optional<Trigger> keyTrigger(std::string_view word) {
 
 Key keyOf(Trigger const& trigger) { return static_cast<Key>(trigger.code); }
 
+/// What a mouse's or gamepad's part is called, and what stands before its word in files; keys and joysticks have no names.
+struct NamedPart {
+    Named const* named = nullptr;
+    std::string_view prefix{};
+};
+NamedPart namedPart(Trigger const& trigger) {
+    auto const code = static_cast<std::size_t>(trigger.code);
+    switch (trigger.kind) {
+        case Kind::mouse:
+            return {&kMouse[code], "mouse."};
+        case Kind::wheel:
+            return {&kWheel[code], "wheel."};
+        case Kind::padButton:
+            return {&kPadButtons[code], "pad."};
+        case Kind::padAxis:
+            return {&kPadAxes[code], "pad."};
+        default:
+            return {};
+    }
+}
+
 /// What one calls the key: those of the keypad by it, since they carry the letters of others.
 std::string printedOn(Key key) {
     bool const keypad = key >= Key::keypad0 && key <= Key::keypadEqual;
@@ -222,26 +243,12 @@ std::optional<Triggers> parseTriggers(std::string_view words) {
 }
 
 std::string triggerWord(Trigger const& t) {
-    auto const code = static_cast<std::size_t>(t.code);
     char const* const minus = t.reversed ? "-" : "";
-    switch (t.kind) {
-        case Kind::key:
-            return fmt::format("{}{}{}{}", t.shift ? "shift+" : "", t.control ? "control+" : "",
-                               t.alt ? "alt+" : "", platform::keyToken(keyOf(t)));
-        case Kind::mouse:
-            return fmt::format("mouse.{}", kMouse[code].word);
-        case Kind::wheel:
-            return fmt::format("wheel.{}", kWheel[code].word);
-        case Kind::padButton:
-            return fmt::format("pad.{}", kPadButtons[code].word);
-        case Kind::padAxis:
-            return fmt::format("{}pad.{}", minus, kPadAxes[code].word);
-        case Kind::joyButton:
-            return fmt::format("joy{}.button{}", t.joystick + 1, t.code + 1);
-        case Kind::joyAxis:
-            return fmt::format("{}joy{}.axis{}", minus, t.joystick + 1, t.code + 1);
-    }
-    return {};
+    if (NamedPart const part = namedPart(t); part.named) return fmt::format("{}{}{}", minus, part.prefix, part.named->word);
+    if (t.kind == Kind::key)
+        return fmt::format("{}{}{}{}", t.shift ? "shift+" : "", t.control ? "control+" : "",
+                           t.alt ? "alt+" : "", platform::keyToken(keyOf(t)));
+    return fmt::format("{}joy{}.{}{}", minus, t.joystick + 1, t.isAxis() ? "axis" : "button", t.code + 1);
 }
 
 std::string triggerWords(Triggers const& triggers) {
@@ -252,26 +259,12 @@ std::string triggerWords(Triggers const& triggers) {
 }
 
 std::string triggerLabel(Trigger const& t) {
-    auto const code = static_cast<std::size_t>(t.code);
     char const* const minus = t.reversed ? "\u2212" : "";
-    switch (t.kind) {
-        case Kind::key:
-            return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "",
-                               t.alt ? "Alt+" : "", printedOn(keyOf(t)));
-        case Kind::mouse:
-            return std::string{kMouse[code].label};
-        case Kind::wheel:
-            return std::string{kWheel[code].label};
-        case Kind::padButton:
-            return std::string{kPadButtons[code].label};
-        case Kind::padAxis:
-            return fmt::format("{}{}", minus, kPadAxes[code].label);
-        case Kind::joyButton:
-            return fmt::format("Joystick {} button {}", t.joystick + 1, t.code + 1);
-        case Kind::joyAxis:
-            return fmt::format("{}Joystick {} axis {}", minus, t.joystick + 1, t.code + 1);
-    }
-    return {};
+    if (NamedPart const part = namedPart(t); part.named) return fmt::format("{}{}", minus, part.named->label);
+    if (t.kind == Kind::key)
+        return fmt::format("{}{}{}{}", t.shift ? "Shift+" : "", t.control ? "Ctrl+" : "",
+                           t.alt ? "Alt+" : "", printedOn(keyOf(t)));
+    return fmt::format("{}Joystick {} {} {}", minus, t.joystick + 1, t.isAxis() ? "axis" : "button", t.code + 1);
 }
 
 bool isOnPad(Trigger const& trigger) { return trigger.kind >= Kind::padButton; }

@@ -11,6 +11,7 @@
 #include "engine/assets/model.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "tests/support/scratch.h"
 
 namespace {
 namespace fs = std::filesystem;
@@ -136,13 +137,12 @@ TEST(BrokenModels, ThatLoopAreRefused) {
 
 /// A picture of our own as PNG bytes.
 std::string png() {
-    fs::path const file = fs::temp_directory_path() / ("luftpost_fuzz_" + std::to_string(getpid()) + ".png");
+    fs::path const file = tests::scratch() / "picture.png";
     assets::Image image{16, 12, 4, std::vector<std::uint8_t>(16 * 12 * 4)};
     for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = static_cast<std::uint8_t>(i * 37);
     assets::writePng(file, image);
     std::string const bytes = core::readFile(file);
     EXPECT_EQ(assets::readImage(file).values, image.values);
-    fs::remove(file);
     return bytes;
 }
 

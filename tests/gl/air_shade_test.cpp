@@ -14,6 +14,7 @@
 #include "engine/sky/sky_state.h"
 #include "engine/weather/source.h"
 #include "tests/gl/gl_fixture.h"
+#include "tests/support/scratch.h"
 
 namespace luftpost::test {
 namespace {
@@ -24,7 +25,7 @@ constexpr char const* kEvening = "2023-06-21T16:30Z";
 
 /// Haze of 9 km under stratocumulus.
 std::string hazyWeather() {
-    std::string const file = testing::TempDir() + "luftpost_haze.json";
+    std::string const file = (tests::scratch() / "haze.json").string();
     std::ofstream{file} << R"({"format":"luftpost-weather-1","name":"haze","source":"composed","licence":"as the program's","sites":[{"name":"Basel",
 "lat":47.541,"lon":7.584,"elevation_m":316,"reports":[{"time":"2023-06-21T16:30Z","wind":{"speed_mps":4,"from_deg":250},"visibility_m":9000,
 "temperature_c":20,"dew_point_c":9,"pressure_hpa":1018,"precipitation":{"kind":"none","rate_mm_h":0},"thunder":false,

@@ -10,6 +10,7 @@
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/texture.h"
 #include "tests/gl/gl_fixture.h"
+#include "tests/support/scratch.h"
 
 namespace {
 namespace fs = std::filesystem;
@@ -31,7 +32,6 @@ protected:
     }
     void TearDown() override {
         unsetenv("LUFTPOST_DATA");
-        fs::remove_all(root_);
         GlTest::TearDown();
     }
     void write(std::string const& name, std::string const& text) {
@@ -50,7 +50,7 @@ protected:
         return target.readFloats()[0];
     }
 
-    fs::path const root_ = fs::temp_directory_path() / ("luftpost_shaders_" + std::to_string(getpid()));
+    fs::path const root_ = tests::scratch();
     int age_ = 0;
 };
 

@@ -20,6 +20,7 @@
 #include "shaders/shared/sky_block.glsl.h"
 #include "shaders/shared/terrain.glsl.h"
 #include "tests/gl/gl_fixture.h"
+#include "tests/support/scratch.h"
 
 namespace {
 namespace fs = std::filesystem;
@@ -58,8 +59,7 @@ TEST(ShaderFiles, GiveEachSamplerOfAProgramAUnitOfItsOwn) {
 
 TEST(ShaderFiles, AreStrictCoreGlsl) {
     ASSERT_EQ(run("glslangValidator --version").first, 0) << "expected glslangValidator (Debian: glslang-tools)";
-    fs::path const folder = fs::temp_directory_path() / fmt::format("luftpost_glsl_{}", getpid());
-    fs::create_directories(folder);
+    fs::path const& folder = tests::scratch();
     int count = 0;
     auto const check = [&](std::string const& name, assets::ShaderSource const& source) {
         EXPECT_TRUE(source.text.starts_with("#version 450 core\n")) << name;
@@ -75,7 +75,6 @@ TEST(ShaderFiles, AreStrictCoreGlsl) {
         check(name, source);
         if (source.text.find("CLOUD_TOWERS") != std::string::npos) check(name, resolved("pass/" + name, {"CLOUD_TOWERS false"}));
     }
-    fs::remove_all(folder);
     EXPECT_GT(count, 20);
 }
 

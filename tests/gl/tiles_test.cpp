@@ -8,6 +8,7 @@
 #include "engine/render/tiled_picture.h"
 #include "engine/weather/source.h"
 #include "tests/gl/gl_fixture.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -126,11 +127,11 @@ TEST_F(Tiles, LeaveTheWindowsPictureAsItWas) {
 }
 
 TEST_F(Tiles, AreWrittenBandByBandAsTheSamePicture) {
-    std::filesystem::path const folder = std::filesystem::temp_directory_path();
+    std::filesystem::path const& folder = tests::scratch();
     glm::ivec2 const size{700, 530};  // four tiles
     snapshot_.drawClouds = false;
     renderer_.draw(snapshot_);
-    for (char const* name : {"luftpost_tiles.png", "luftpost_tiles.exr"}) {
+    for (char const* name : {"tiles.png", "tiles.exr"}) {
         render::TiledPicture picture{renderer_, snapshot_, size, folder / name};
         EXPECT_EQ(picture.share(), 0.0);
         picture.step();
@@ -139,12 +140,11 @@ TEST_F(Tiles, AreWrittenBandByBandAsTheSamePicture) {
         EXPECT_TRUE(picture.finished());
         EXPECT_EQ(picture.share(), 1.0);
     }
-    EXPECT_EQ(assets::readImage(folder / "luftpost_tiles.png").values, tiled(size, render::TiledPicture::kTileSide).values);
-    assets::FloatImage const linear = assets::readFloatImage(folder / "luftpost_tiles.exr");
+    EXPECT_EQ(assets::readImage(folder / "tiles.png").values, tiled(size, render::TiledPicture::kTileSide).values);
+    assets::FloatImage const linear = assets::readFloatImage(folder / "tiles.exr");
     EXPECT_EQ(linear.width, size.x);
     EXPECT_EQ(linear.height, size.y);
     assets::FloatImage const last = renderer_.readTileHdr();  // of the lower right tile
     EXPECT_EQ(last.at(last.width - 1, last.height - 1, 1), linear.at(size.x - 1, size.y - 1, 1));
-    for (char const* name : {"luftpost_tiles.png", "luftpost_tiles.exr"}) std::filesystem::remove(folder / name);
 }
 }  // namespace

@@ -183,6 +183,17 @@ TEST(Hud, DrawsNothingWhenHidden) {
     EXPECT_TRUE(std::all_of(picture.pixels.begin(), picture.pixels.end(), [](glm::vec3 p) { return p == glm::vec3{0.25f}; }));
 }
 
+TEST(Hud, PointsTheWindsArrowFromWhereItBlowsOnTheNose) {
+    constexpr double kEast = 0.5 * 3.141592653589793;
+    auto const expect = [](glm::vec2 arrow, glm::vec2 wanted) { EXPECT_LT(glm::distance(arrow, wanted), 1e-6f) << arrow.x << ", " << arrow.y; };
+    glm::dvec3 const toWest{-8.0, 0.0, 0.0};
+    expect(ui::windArrow(toWest, kEast), {0.0f, 1.0f});         // on the nose: down the screen
+    expect(ui::windArrow(toWest, -kEast), {0.0f, -1.0f});       // from behind
+    expect(ui::windArrow(toWest, 0.0), {-1.0f, 0.0f});          // flying north, from the right
+    expect(ui::windArrow(toWest, 2.0 * kEast), {1.0f, 0.0f});   // flying south, from the left
+    expect(ui::windArrow({3.0, 1.0, 3.0}, 0.0), glm::vec2{0.70710678f, 0.70710678f});
+}
+
 TEST(Hud, CutsNoNumberShort) {
     ui::HudState state = flying();  // the widest readings of each kind
     state.score = 1'234'567, state.deliveries = 99'999;

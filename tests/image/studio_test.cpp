@@ -3,57 +3,29 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "engine/assets/image.h"
-#include "engine/gl/context.h"
-#include "game/app/game.h"
 #include "game/ui/studio_page.h"
 #include "tests/image/typed_window.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
 using platform::Key;
-using test::TypedWindow;
 
-class Studio : public ::testing::Test {
+class Studio : public test::WindowTest {
 protected:
-    static constexpr glm::ivec2 kSize{192, 108};
-
     void SetUp() override {
-        if (!platform::hasDisplay()) {
-            screen_.emplace();
-            ASSERT_TRUE(screen_->ready()) << "expected Xvfb (Debian: xvfb)";
-        }
-        std::filesystem::remove_all(folder_);
+        WindowTest::SetUp();
         setenv("XDG_DATA_HOME", folder_.c_str(), 1);
-        surface_.emplace(kSize);
-        gl::prepareContext();
-        app::PlayTexts texts;
-        texts.headless = true;
-        texts.seconds = "5";
-        app::CommonOptions common;
-        common.weather = "preset:fair";
-        common.size = kSize;
-        game_.emplace(app::playOptions(texts, common), *surface_);
+        begin(flightOf("5", "preset:fair"));
     }
     void TearDown() override {
-        game_.reset();
-        EXPECT_EQ(gl::errorCount(), 0) << gl::lastError();
-        surface_.reset();
+        WindowTest::TearDown();
         unsetenv("XDG_DATA_HOME");
-        std::filesystem::remove_all(folder_);
     }
 
-    void frames(int number) {
-        for (int i = 0; i < number; ++i) game_->frame(clock_.step(0.1, game_->paused()));
-    }
-    void type(Key key) {
-        surface_->type(key);
-        frames(1);
-    }
-    std::string hash() { return game_->session().simulation().stateHash(); }
     /// Those that are finished.
     std::vector<std::filesystem::path> pictures() const {
         std::vector<std::filesystem::path> files;
@@ -63,24 +35,20 @@ protected:
         return files;
     }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "luftpost_studio_test";
-    std::optional<test::VirtualScreen> screen_;
-    std::optional<TypedWindow> surface_;
-    std::optional<app::Game> game_;
-    app::FrameClock clock_;
+    std::filesystem::path folder_ = tests::scratch();
 };
 
 TEST_F(Studio, LeavesTheFlightAsItWasAndItsPictureInTheFolder) {
     frames(2);
-    std::string const before = hash();
-    long long const tick = game_->session().simulation().tick();
+    std::string const before = simulation().stateHash();
+    long long const tick = simulation().tick();
     type(Key::f6);
     EXPECT_TRUE(game_->paused());
-    surface_->hold(Key::a, true);  // the camera's now, not the aircraft's
+    window_->hold(Key::a, true);  // the camera's now, not the aircraft's
     type(Key::c);
     type(Key::f4);
     frames(2);
-    surface_->hold(Key::a, false);
+    window_->hold(Key::a, false);
     type(Key::f12);
     for (int i = 0; i < 600 && pictures().empty(); ++i) frames(1);
     ASSERT_EQ(pictures().size(), 1u);
@@ -101,7 +69,7 @@ TEST_F(Studio, LeavesTheFlightAsItWasAndItsPictureInTheFolder) {
     EXPECT_EQ(other.simulation().stateHash(), before);
     frames(2);
     while (other.simulation().tick() < session.simulation().tick()) other.tick();
-    EXPECT_EQ(other.simulation().stateHash(), hash());
+    EXPECT_EQ(other.simulation().stateHash(), simulation().stateHash());
 }
 
 TEST(PictureSize, FitsTheNamedSizesInTheWindowsShape) {

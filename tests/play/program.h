@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch.h"
+
 namespace luftpost::tests {
 namespace fs = std::filesystem;
 
@@ -27,18 +29,6 @@ struct Outcome {
     /// Number of lines on standard error.
     std::ptrdiff_t complaints() const { return std::count(err.begin(), err.end(), '\n'); }
 };
-
-/// A folder of its own for the test that runs, empty.
-inline fs::path scratch() {
-    auto const* test = testing::UnitTest::GetInstance()->current_test_info();
-    fs::path const folder = fs::path{testing::TempDir()} /
-                            (std::string{"luftpost_"} + test->test_suite_name() + "_" + test->name());
-    static std::string emptied;
-    if (emptied != folder) fs::remove_all(folder);
-    emptied = folder;
-    fs::create_directories(folder);
-    return folder;
-}
 
 /// `environment` as in "NAME=value NAME=value"; the player's folders lie in the scratch folder.
 inline Outcome run(std::string const& arguments, std::string const& environment = "") {

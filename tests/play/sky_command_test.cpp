@@ -10,25 +10,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch.h"
+
 namespace {
 namespace fs = std::filesystem;
+using luftpost::tests::scratch;
 
 struct Outcome {
     int code = -1;
     std::string errors;
 };
 
-fs::path const& folder() {
-    static fs::path const made = [] {
-        fs::path const path = fs::temp_directory_path() / ("luftpost_sky_" + std::to_string(::getpid()));
-        fs::create_directories(path);
-        return path;
-    }();
-    return made;
-}
-
 Outcome run(std::string const& arguments) {
-    std::string const errors = (folder() / "errors.txt").string();
+    std::string const errors = (scratch() / "errors.txt").string();
     int const status = std::system((std::string{LUFTPOST_PROGRAM} + " sky " + arguments + " 2>" + errors).c_str());
     std::ifstream in{errors};
     return {WEXITSTATUS(status), {std::istreambuf_iterator<char>{in}, {}}};
@@ -44,7 +38,7 @@ struct Picture {
 };
 
 Picture picture(std::string const& name) {
-    auto const in = OIIO::ImageInput::open((folder() / name).string());
+    auto const in = OIIO::ImageInput::open((scratch() / name).string());
     if (!in) return {};
     OIIO::ImageSpec const& spec = in->spec();
     Picture image{spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::FLOAT, {}};
@@ -54,7 +48,7 @@ Picture picture(std::string const& name) {
 }
 
 std::string still(std::string const& name, std::string const& options, std::string const& size = "64x36") {
-    return "--weather preset:clear --place 47.5,7.5 --size " + size + " " + options + " -o " + (folder() / name).string();
+    return "--weather preset:clear --place 47.5,7.5 --size " + size + " " + options + " -o " + (scratch() / name).string();
 }
 
 TEST(SkyCommand, DrawsAFloatPictureWhoseUnitIsTheSunAboveTheAir) {
@@ -116,39 +110,39 @@ TEST(SkyCommand, DrawsByTilesWhatIsTooLargeToBeDrawnWhole) {
             for (int channel = 0; channel < 3; ++channel)
                 EXPECT_NEAR(image.at(x, 12, channel) / image.at(x - 1, 12, channel), 1.0, 0.02) << name << " at " << x;
     }
-    EXPECT_FALSE(fs::exists(folder() / "wide.png.new"));
+    EXPECT_FALSE(fs::exists(scratch() / "wide.png.new"));
 }
 
 TEST(SkyCommand, NumbersThePicturesOfATimeLapse) {
     ASSERT_EQ(run(still("lapse.exr", "--time 2023-06-21T19:00Z --look 90,20 --frames 2:3 --step 900")).code, 0);
     EXPECT_LT(picture("lapse_0003.exr").at(32, 18, 1), picture("lapse_0002.exr").at(32, 18, 1));
-    EXPECT_FALSE(fs::exists(folder() / "lapse.exr"));
+    EXPECT_FALSE(fs::exists(scratch() / "lapse.exr"));
 }
 
 TEST(SkyCommand, RefusesWhatItCannotDrawInOneLine) {
-    std::string const output = " -o " + (folder() / "no.png").string();
+    std::string const output = " -o " + (scratch() / "no.png").string();
     for (std::string const& arguments :
          {std::string{"--look 10"} + output, "--look 10,95" + output, "--look a,b" + output, "--fov 0" + output,
           "--fov 200" + output, "--fov nan" + output, "--size 0x10" + output, "--size 20000x10" + output,
           "--panorama --dome" + output, "--panorama --look 1,1" + output, "--frames 3:1" + output, "--frames 3" + output,
           "--step 10" + output, "--exposure x" + output, "--time 2023-06-21" + output, "--weather preset:nice" + output,
           "--place 95,0" + output, "--unheard-of" + output, std::string{}, std::string{"-o /no/such/folder/a.png"},
-          "-o " + (folder() / "a.jpg").string(), std::string{"-o /tmp"}}) {
+          "-o " + (scratch() / "a.jpg").string(), std::string{"-o /tmp"}}) {
         Outcome const outcome = run(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments;
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << arguments << "\n" << outcome.errors;
-        EXPECT_FALSE(fs::exists(folder() / "no.png")) << arguments;
+        EXPECT_FALSE(fs::exists(scratch() / "no.png")) << arguments;
     }
 }
 // With ffmpeg there is a film, without it one line says so; neither leaves a part behind.
 TEST(SkyCommand, WritesAFilmWhereFfmpegIsInstalled) {
-    fs::path const film = folder() / "day.mp4";
+    fs::path const film = scratch() / "day.mp4";
     bool const installed = std::system("command -v ffmpeg >/dev/null 2>&1") == 0;
     Outcome const outcome = run(still("day.mp4", "--frames 0:2 --step 600", "33x18"));
     EXPECT_EQ(outcome.code, installed ? 0 : 2) << outcome.errors;
     EXPECT_EQ(fs::exists(film), installed);
     EXPECT_EQ(outcome.errors.find("ffmpeg") != std::string::npos, !installed) << outcome.errors;
-    EXPECT_FALSE(fs::exists(folder() / ".day.part.mp4"));
+    EXPECT_FALSE(fs::exists(scratch() / ".day.part.mp4"));
     if (installed) {
         EXPECT_GT(fs::file_size(film), 500u);
     }

@@ -2,29 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-
-#include "engine/core/file.h"
-#include "game/app/session.h"
+#include "tests/support/session.h"
 
 namespace luftpost::app {
 namespace {
-FlightPlan calmPlan() {
-    FlightPlan plan;
-    plan.weather.source = "preset:calm";
-    plan.place = {47.0, 8.0, 430.0};
-    plan.simulation.time = 1687545600.0;
-    plan.simulation.start.altitude = 900.0;
-    return plan;
-}
-SessionOptions flown(FlightPlan const& plan) {
-    SessionOptions options;
-    options.plan = plan;
-    return options;
-}
-void fly(Session& session, double seconds) {
-    for (int i = 0; i < seconds * core::kTicksPerSecond; ++i) session.tick();
-}
+using tests::fly, tests::flying, tests::hashOfReplay;
+
+FlightPlan calmPlan() { return tests::planOver("preset:calm"); }
 ui::InputSample withKeys(std::initializer_list<ui::FlightKey> keys) {
     ui::InputSample sample;
     for (ui::FlightKey key : keys) sample.hold(key);
@@ -35,22 +19,12 @@ void pressAutopilot(Session& session) {
     fly(session, 0.1);
     session.input(ui::InputSample{});
 }
-std::string hashOfReplay(Session const& session) {
-    std::filesystem::path const file = std::filesystem::path{testing::TempDir()} / "luftpost_autopilot.replay";
-    core::writeFileAtomically(file, replayText(session.replay()));
-    Replay replay = readReplay(file, loadHangar());
-    SessionOptions options = flown(replay.plan);
-    options.script = replay.inputs;
-    Session again{options};
-    while (again.simulation().tick() < replay.ticks) again.tick();
-    return again.simulation().stateHash();
-}
 }  // namespace
 
 TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
-    Session session{flown(calmPlan())};
+    Session session{flying(calmPlan())};
     pressAutopilot(session);
-    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft");
+    EXPECT_EQ(session.simulation().autopilotText(), "AUTOPILOT  heading 0  altitude 2953 ft  speed 93 kt");
     session.input(SettingInput{"aircraft.autopilotAltitude_ft", 3281.0});
     session.input(SettingInput{"aircraft.autopilotCourse", std::string{"heading"}});
     session.input(SettingInput{"aircraft.autopilotHeading_deg", 90.0});
@@ -63,7 +37,7 @@ TEST(AutopilotInput, IsSwitchedByItsKeyAndClimbsToTheAltitudeThatIsSet) {
 }
 
 TEST(AutopilotInput, GivesTheStickToWhoMovesIt) {
-    Session session{flown(calmPlan())};
+    Session session{flying(calmPlan())};
     pressAutopilot(session);
     fly(session, 5.0);
     session.input(withKeys({ui::FlightKey::rollRight}));
@@ -72,13 +46,34 @@ TEST(AutopilotInput, GivesTheStickToWhoMovesIt) {
     EXPECT_GT(session.simulation().aircraft().state().readings.roll, 0.05);
 }
 
+TEST(AutopilotInput, ItsKnobsAreTheTrimWheelsAndTheLever) {
+    Session session{flying(calmPlan())};
+    pressAutopilot(session);
+    double const speed = session.simulation().aircraft().state().readings.cas;
+    session.input(withKeys({ui::FlightKey::trimNoseUp, ui::FlightKey::trimYawRight}));
+    fly(session, 6.0);
+    session.input(withKeys({ui::FlightKey::thrustDown}));
+    fly(session, 0.5);
+    session.input(ui::InputSample{});
+    fly(session, 60.0);
+    flight::AircraftState const& now = session.simulation().aircraft().state();
+    EXPECT_NEAR(now.positionWorld.y, tests::kStartAltitude + 6.0 * 40.0 * core::kMetresPerFoot, 3.0);
+    EXPECT_NEAR(core::degrees(now.readings.heading), 30.0, 2.0);
+    EXPECT_NEAR(now.readings.cas, speed - 0.25 * (129.0 - 1.35 * 51.0) * core::kMetresPerSecondPerKnot, 1.0);
+    EXPECT_EQ(session.simulation().stick().controls().elevatorTrim, 0.0) << "the wheels themselves stay";
+    EXPECT_EQ(hashOfReplay(session), session.simulation().stateHash());
+    session.input(SettingInput{"aircraft.autopilotAltitude_ft", 3281.0});
+    fly(session, 60.0);
+    EXPECT_NEAR(now.positionWorld.y, 1000.0, 3.0) << "what is set in the menu holds";
+}
+
 TEST(AutopilotInput, FliesToTheDropZoneInEveryAssistAndAirframe) {
     for (AirframeChoice airframe : {AirframeChoice::mailPlane, AirframeChoice::freightPlane})
         for (flight::AssistLevel assist : {flight::AssistLevel::sim, flight::AssistLevel::easy}) {
             FlightPlan plan = calmPlan();
             plan.simulation.settings.pilot = {airframe, assist};
             plan.simulation.settings.autopilot.course = flight::AutopilotCourse::target;
-            Session session{flown(plan)};
+            Session session{flying(plan)};
             pressAutopilot(session);
             double nearest = 1.0e9;
             for (int i = 0; i < 240 && nearest > 60.0; ++i) {
@@ -92,7 +87,7 @@ TEST(AutopilotInput, FliesToTheDropZoneInEveryAssistAndAirframe) {
 }
 
 TEST(AirframeInput, ActsFromTheNextRespawnAndTheReplayHasIt) {
-    Session session{flown(calmPlan())};
+    Session session{flying(calmPlan())};
     session.input(SettingInput{"aircraft.airframe", std::string{"freight_plane"}});
     fly(session, 1.0);
     EXPECT_EQ(session.simulation().aircraft().airframe().name, "Mail plane");

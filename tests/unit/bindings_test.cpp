@@ -139,6 +139,29 @@ TEST(BindingsPage, TakesAButtonOnceItGoesDownAndAnAxisThatIsMoved) {
     EXPECT_EQ(triggerWords(bindings.of(Axis::brakes)), "joy1.axis1");
 }
 
+TEST(BindingsPage, TakesAnAxisAsAButtonTheWayItIsPushed) {
+    for (float way : {1.0f, -1.0f}) {
+        Bindings bindings;
+        BindingsPage page;
+        platform::Input devices;
+        devices.joysticks = {{0, "stick", {0.0f, 0.0f, 0.0f, 0.0f, 0.0f}, {}}};
+        page.ask(false, actionOf(FlightKey::flapsDown), 0);
+        EXPECT_TRUE(page.listen(devices, bindings).empty());
+        devices.joysticks[0].axes[4] = 0.3f * way;
+        EXPECT_TRUE(page.listen(devices, bindings).empty()) << "not far enough";
+        devices.joysticks[0].axes[4] = way;
+        accept(bindings, page.listen(devices, bindings));
+        Trigger const& taken = bindings.of(FlightKey::flapsDown).front();
+        EXPECT_EQ(triggerWord(taken), way > 0.0f ? "joy1.axis5" : "-joy1.axis5");
+        EXPECT_TRUE(isDown(taken, devices));
+        EXPECT_TRUE(page.listening()) << "it is still pushed";
+        devices.joysticks[0].axes[4] = 0.0f;
+        page.listen(devices, bindings);
+        EXPECT_FALSE(page.listening());
+        EXPECT_FALSE(isDown(taken, devices));
+    }
+}
+
 TEST(KeyHelp, ShowsWhatIsBoundNow) {
     Bindings bindings;
     bindings.actions[actionOf(FlightKey::drop)] = *parseTriggers("x");

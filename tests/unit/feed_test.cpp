@@ -14,6 +14,7 @@
 #include "engine/weather/presets.h"
 #include "game/app/feed_cache.h"
 #include "game/app/feed_schedule.h"
+#include "tests/support/scratch.h"
 
 using namespace luftpost;
 using namespace luftpost::app;
@@ -94,12 +95,6 @@ TEST(Distance, IsTheShortWayRoundTheEarth) {
     EXPECT_NEAR(distance(kBasel, kFar), 40030.0, 100.0);
 }
 
-std::filesystem::path cacheFile(char const* name) {
-    auto const folder = std::filesystem::path{testing::TempDir()} / "luftpost_feed_cache";
-    std::filesystem::create_directories(folder);
-    return folder / name;
-}
-
 KeptNews keptNews() {
     KeptNews kept;
     kept.news.recording = weather::recordingText(*weather::presetRecording("fair", weather::PlaceWish{47.0, 8.0, 400.0}));
@@ -109,7 +104,7 @@ KeptNews keptNews() {
 }
 
 TEST(FeedCache, KeepsWhatItWasGiven) {
-    auto const file = cacheFile("kept.json");
+    auto const file = tests::scratch() / "kept.json";
     writeKept(file, keptNews());
     auto const back = readKept(file);
     ASSERT_TRUE(back);
@@ -120,7 +115,7 @@ TEST(FeedCache, KeepsWhatItWasGiven) {
 }
 
 TEST(FeedCache, DropsWhatIsBroken) {
-    auto const file = cacheFile("broken.json");
+    auto const file = tests::scratch() / "broken.json";
     writeKept(file, keptNews());
     std::string const good = core::readFile(file);
     for (std::size_t at = 0; at < good.size(); at += 97) {

@@ -6,6 +6,7 @@
 
 #include "engine/core/error.h"
 #include "engine/weather/noise_volume.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -36,8 +37,7 @@ TEST(NoiseVolume, SamplerGivesTexelsAtTheirCentresAndRepeats) {
 }
 
 TEST(NoiseVolume, FilesComeBackAsTheyWere) {
-    std::filesystem::path const folder = std::filesystem::path{testing::TempDir()} / "noise_volume_test";
-    std::filesystem::create_directories(folder);
+    std::filesystem::path const folder = tests::scratch();
     weather::NoiseVolumes const made = weather::makeNoise(5, 2);
     weather::writeNoise(made, folder);
     weather::NoiseVolumes const read = weather::loadNoise(folder);
@@ -48,6 +48,5 @@ TEST(NoiseVolume, FilesComeBackAsTheyWere) {
     EXPECT_THROW(weather::loadNoise(folder), core::Error);
     std::filesystem::remove(folder / "noise_shape.bin");
     EXPECT_THROW(weather::loadNoise(folder), core::Error);
-    std::filesystem::remove_all(folder);
 }
 }  // namespace

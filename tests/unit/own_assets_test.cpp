@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/flight/airframe.h"
 #include "game/ui/camera.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -59,8 +60,9 @@ TEST(PlaneModel, HasTheSizeOfABushPlaneAndItsDatumAtTheOrigin) {
     EXPECT_LT(b.low.x, -5.0f);
 }
 
-TEST(PlaneModel, HasTheMovingNodesWithTheirPivots) {
-    assets::Model const plane = model("plane");
+std::pair<char const*, char const*> const kPlanes[]{{"mail_plane.json", "plane"}, {"freight_plane.json", "freight_plane"}};
+
+void expectMovingNodes(assets::Model const& plane) {
     for (char const* name : {"propeller", "propeller_disc", "spinner", "cowling", "aileron_left", "aileron_right", "elevator", "rudder", "flap_left", "flap_right",
                              "wheel_left", "wheel_right", "wheel_nose", "yoke_left", "yoke_right", "pilot", "glass"}) {
         int const node = nodeIndex(plane, name);
@@ -79,6 +81,24 @@ TEST(PlaneModel, HasTheMovingNodesWithTheirPivots) {
     EXPECT_GT(bounds(plane, "aileron_right").low.z, 0.0f);
 }
 
+TEST(PlaneModel, HasTheMovingNodesWithTheirPivots) {
+    for (auto const& [file, name] : kPlanes) expectMovingNodes(model(name));
+}
+
+TEST(PlaneModel, IsAsBigAsItsAirframe) {
+    for (auto const& [file, name] : kPlanes) {
+        flight::Airframe const airframe = flight::loadAirframe(kAssets / "airframes" / file);
+        assets::Model const plane = model(name);
+        EXPECT_NEAR(bounds(plane).high.z, 0.5 * airframe.wingSpan, 0.05) << name;
+        EXPECT_NEAR(0.5f * (bounds(plane, "propeller_disc").high.y - bounds(plane, "propeller_disc").low.y), 0.5 * airframe.propeller.diameter, 0.02) << name;
+        for (auto const& strike : airframe.strikes) {
+            float const beyond = glm::max(glm::max(static_cast<float>(std::abs(strike.position.z)) - bounds(plane).high.z, static_cast<float>(strike.position.y) - bounds(plane).high.y), bounds(plane).low.x - static_cast<float>(strike.position.x));
+            EXPECT_LT(beyond, 0.05f) << name << ": " << strike.name << " strikes where nothing is seen";
+        }
+    }
+    EXPECT_GT(bounds(model("freight_plane"), "elevator").high.z, bounds(model("plane"), "elevator").high.z + 0.2f);
+}
+
 void expectOnTheWheelsOf(flight::Airframe const& airframe, assets::Model const& plane) {
     std::pair<char const*, char const*> const wheels[] = {{"nose wheel", "wheel_nose"}, {"left wheel", "wheel_left"}, {"right wheel", "wheel_right"}};
     for (auto const& [ofAirframe, ofModel] : wheels) {
@@ -92,12 +112,11 @@ void expectOnTheWheelsOf(flight::Airframe const& airframe, assets::Model const& 
 }
 
 TEST(PlaneModel, StandsOnTheWheelsOfEveryAirframe) {
-    for (char const* file : {"mail_plane.json", "freight_plane.json"})
-        expectOnTheWheelsOf(flight::loadAirframe(kAssets / "airframes" / file), model("plane"));
+    for (auto const& [file, name] : kPlanes)
+        expectOnTheWheelsOf(flight::loadAirframe(kAssets / "airframes" / file), model(name));
 }
 
-TEST(PlaneModel, LeavesThePilotAFreeViewAhead) {
-    assets::Model const plane = model("plane");
+void expectAFreeView(assets::Model const& plane) {
     glm::vec3 const eye{ui::kPilotEyeBody};
     for (char const* name : {"interior_cabin", "exterior_fuselage", "cowling"}) {
         int const node = nodeIndex(plane, name);
@@ -112,8 +131,12 @@ TEST(PlaneModel, LeavesThePilotAFreeViewAhead) {
     }
 }
 
+TEST(PlaneModel, LeavesThePilotAFreeViewAhead) {
+    for (auto const& [file, name] : kPlanes) expectAFreeView(model(name));
+}
+
 TEST(Models, HaveUnitNormalsThatAgreeWithTheirTriangles) {
-    for (char const* name : {"plane", "parcel", "parachute", "windsock", "hangar", "drop_zone"}) {
+    for (char const* name : {"plane", "freight_plane", "parcel", "parachute", "windsock", "hangar", "drop_zone"}) {
         assets::Model const m = model(name);
         std::size_t agree = 0, all = 0;
         for (auto const& primitive : m.primitives) {
@@ -191,14 +214,13 @@ TEST(Sounds, NeitherClipNorCarryADirectVoltage) {
 }
 
 TEST(Sounds, ThatAreBrokenAreNamed) {
-    auto const file = std::filesystem::temp_directory_path() / "luftpost_broken.wav";
+    auto const file = tests::scratch() / "broken.wav";
     std::ofstream{file} << "RIFFnothing";
     try {
         assets::readSound(file);
         FAIL() << "read a broken file";
     } catch (core::Error const& error) {
-        EXPECT_NE(std::string{error.what()}.find("luftpost_broken.wav"), std::string::npos);
+        EXPECT_NE(std::string{error.what()}.find("broken.wav"), std::string::npos);
     }
-    std::filesystem::remove(file);
 }
 }  // namespace

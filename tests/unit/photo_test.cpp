@@ -11,6 +11,7 @@
 #include "game/app/colour_comparison.h"
 #include "game/app/photo_box.h"
 #include "game/ui/photo_view.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -55,9 +56,7 @@ TEST(Photo, NearestInTimeIsChosenAndOneWithoutATimeLast) {
 }
 
 TEST(Photo, AFolderGivesItsImagesAndABadOneIsRefused) {
-    fs::path const folder = fs::temp_directory_path() / "luftpost_photos";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    fs::path const& folder = tests::scratch();
     EXPECT_THROW(assets::findPhotos(folder), core::Error);
     EXPECT_THROW(assets::findPhotos(folder / "none.jpg"), core::Error);
     assets::writePng(folder / "20230622_1720.png", flat(4, 3, {10, 20, 30}));

@@ -1,35 +1,17 @@
 // What the hands do comes back from a replay to the last bit, and flies the same flight again.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
-#include "engine/core/error.h"
-#include "engine/core/file.h"
-#include "engine/platform/paths.h"
-#include "game/app/hangar.h"
-#include "game/app/flight_plan.h"
-#include "game/app/instruments.h"
-#include "game/app/session.h"
+#include "tests/support/session.h"
 
 namespace {
 using namespace luftpost;
 using namespace luftpost::app;
+using tests::planOver, tests::readBack, tests::refusal;
 
 FlightPlan calmPlan() {
-    FlightPlan plan;
-    plan.weather.source = "preset:calm";
-    plan.place = {47.0, 7.0, 300.0};
-    plan.simulation.time = 1687545600.0;
-    plan.simulation.start.altitude = 1200.0;
+    FlightPlan plan = planOver("preset:calm");
     plan.simulation.settings.pilot.assist = flight::AssistLevel::light;
     return plan;
-}
-
-Replay readBack(std::string const& text) {
-    std::filesystem::path const file =
-        std::filesystem::path{testing::TempDir()} / "luftpost_pilot_input.replay";
-    core::writeFileAtomically(file, text);
-    return readReplay(file, loadHangar());
 }
 
 /// A pilot with a lever, a mouse and a hand on the trim.
@@ -50,34 +32,19 @@ TEST(PilotInput, ComesBackFromAReplay) {
 
 TEST(PilotInput, IsReadStrictly) {
     std::string const good = replayText({calmPlan(), 480, hands()});
-    auto const refusal = [&](std::string const& from, std::string const& to) -> std::string {
-        std::string text = good;
-        auto const at = text.find(from);
-        EXPECT_NE(at, text.npos) << from;
-        text.replace(at, from.size(), to);
-        try {
-            readBack(text);
-        } catch (core::Error const& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_NE(
-        refusal("\"lever\":0.25", "\"lever\":2").find("inputs[0].lever: expected a number 0..1, found 2"),
-        std::string::npos);
-    EXPECT_NE(refusal("\"mouse\":[", "\"mouse\":[0.1,").find("inputs[1].mouse: expected a list of 2"),
+    EXPECT_NE(refusal(good, "\"lever\":0.25", "\"lever\":2").find("inputs[0].lever: expected a number 0..1, found 2"),
+              std::string::npos);
+    EXPECT_NE(refusal(good, "\"mouse\":[", "\"mouse\":[0.1,").find("inputs[1].mouse: expected a list of 2"),
               std::string::npos);
 }
 
 TEST(PilotInput, FliesTheSameFlightAgainAndTrimActsInLight) {
     auto const flown = [](std::vector<StampedInput> script) {
-        SessionOptions options;
-        options.plan = calmPlan();
+        SessionOptions options = tests::flying(calmPlan(), std::move(script));
         options.plan.weatherSha256 =
             World{options.plan.weather, options.plan.place, 1, 0.0}.field().origin().sha256;
-        options.script = std::move(script);
         Session session{options};
-        for (int i = 0; i < 960; ++i) session.tick();
+        tests::fly(session, 4.0);
         return std::pair{session.report().stateHashes,
                          session.simulation().aircraft().state().commands.elevator};
     };

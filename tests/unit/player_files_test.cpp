@@ -7,6 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -23,7 +24,7 @@ std::map<std::string, std::string> storedIn(fs::path const& file) {
 }
 
 TEST(PlayerFiles, KeepWhatTheFileSaidAndTakeOnlyWhatWasChanged) {
-    fs::path const file = fs::path{testing::TempDir()} / "player_settings.toml";
+    fs::path const file = tests::scratch() / "settings.toml";
     std::ofstream{file} << "sound.master = 0.5\nhud.scale = 1.5\nfuture.key = 3\n";
     app::StoredSettings stored{file};
     stored.change("hud.scale", 1.25);
@@ -33,8 +34,7 @@ TEST(PlayerFiles, KeepWhatTheFileSaidAndTakeOnlyWhatWasChanged) {
 }
 
 TEST(PlayerFiles, AreLeftAloneUntilSomethingChanged) {
-    fs::path const file = fs::path{testing::TempDir()} / "player_settings_none.toml";
-    fs::remove(file);
+    fs::path const file = tests::scratch() / "settings.toml";
     app::StoredSettings stored{file};
     stored.write();
     EXPECT_FALSE(fs::exists(file));

@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/weather/source.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -49,8 +50,7 @@ TEST(RealHours, BeginAFlightInTheAirAtTheirPlaceLookingTheirWay) {
 }
 
 TEST(RealHours, ABrokenListIsRefusedWithItsPlace) {
-    fs::path const folder = fs::temp_directory_path() / "luftpost_hours";
-    fs::create_directories(folder);
+    fs::path const& folder = tests::scratch();
     std::ofstream{folder / "day.json"} << "{}";
     auto const place = [&](std::string const& text) -> std::string {
         std::ofstream{folder / "hours.json"} << text;

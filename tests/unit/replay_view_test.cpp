@@ -7,6 +7,7 @@
 #include "engine/weather/presets.h"
 #include "game/app/frame_clock.h"
 #include "game/app/replay_view.h"
+#include "tests/support/session.h"
 
 using namespace luftpost;
 using namespace luftpost::app;
@@ -25,11 +26,7 @@ ui::InputSample stick(double aileron, bool drop = false) {
 
 /// Turns, drops, another weather, another hour, another assist.
 SessionOptions flight() {
-    SessionOptions options;
-    options.plan.weather.source = "preset:fair";
-    options.plan.place = {kHere.lat_deg, kHere.lon_deg, *kHere.altitude_m};
-    options.plan.simulation.time = kNow;
-    options.plan.simulation.start.altitude = 900.0;
+    SessionOptions options = tests::flying(tests::planOver("preset:fair"));
     WeatherInput const storm{.source = kLiveSource, .recording = weather::recordingText(*weather::presetRecording("storm", kHere)),
                              .mode = weather::SourceMode::Live, .fetched = kNow, .from = kNow + 12.0, .seconds = 300.0};
     options.script = {{0, stick(0.2)}, {1200, stick(-0.3, true)}, {2880, storm}, {4000, ClockInput{kNow + 7200.0}},

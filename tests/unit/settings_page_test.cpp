@@ -6,6 +6,7 @@
 
 #include "engine/core/file.h"
 #include "game/app/settings.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost;
@@ -94,7 +95,7 @@ TEST(SettingsTable, RoundTripsEveryKeyThroughAFile) {
     Settings written, read;
     core::SettingList from = app::settingList(written), to = app::settingList(read);
     for (core::Setting& setting : from) setting.set(otherValue(setting));
-    std::filesystem::path const file = std::filesystem::path{testing::TempDir()} / "settings_whole_table.toml";
+    std::filesystem::path const file = tests::scratch() / "settings.toml";
     core::writeSettings(from, {}, file);
     core::readSettings(to, file);
     EXPECT_EQ(core::changedSettings(to).size(), to.size());

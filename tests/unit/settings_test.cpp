@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "tests/support/scratch.h"
 
 namespace {
 using namespace luftpost::core;
@@ -46,11 +47,8 @@ std::string messageOf(auto&& action) {
 }
 
 fs::path freshFile(char const* name, std::string const& text = "") {
-    fs::path const file = fs::path{testing::TempDir()} / name;
-    if (text.empty())
-        fs::remove(file);
-    else
-        std::ofstream{file} << text;
+    fs::path const file = luftpost::tests::scratch() / name;
+    if (!text.empty()) std::ofstream{file} << text;
     return file;
 }
 
