@@ -40,7 +40,7 @@ Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]
 
 constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
-constexpr float kNoAnvil = 2000.0f, kWholeAnvil = 3500.0f;  // m, thickness from which a top is ice that spreads
+constexpr float kBald = 2000.0f;                      // m: the top of a storm that is no thicker is no ice that spreads
 constexpr float kMostAnvil = 0.45f;       // cover, from which on no more of it is anvil (lib/cloud's anvilReach)
 constexpr double kAnvilLead = 0.8, kAnvilLength = 1.4;  // by how much of the way between rim and foot, and of the rim's own, it is carried
 constexpr float kAnvilWeaker = 0.4f;      // of the cover: what it loses in rank on that way
@@ -70,8 +70,8 @@ float coreWater(Layer const& layer, Weather const& weather) {
     return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
 }
 
-/// Share of a small cover that is anvil alone: none of a low layer, whose tops are no ice.
-float anvilShareOf(Layer const& layer) { return formOf(layer.genus).anvil * glsl::ramp(layer.top - layer.base, kNoAnvil, kWholeAnvil); }
+/// Share of a small cover that is anvil alone, of a layer `thickness` m thick.
+float anvilShareOf(Genus genus, float thickness) { return thickness > kBald ? formOf(genus).anvil : 0.0f; }
 
 /// Where between lib/cloud's eight lattice ways, 0..8, a wind (m/s, east and north) blows, or the way back.
 float latticeWayOf(glm::dvec2 const& wind) {
@@ -116,6 +116,8 @@ float calibratedCover(Genus genus, float cover, float thickness) {
     // Between two thicknesses of the table, and within each between two covers.
     std::size_t row = 0;
     while (row + 2 < kThicknesses.size() && thickness > kThicknesses[row + 1]) ++row;
+    // Nothing lies between a bald storm and one with an anvil.
+    while (anvilShareOf(genus, thickness) > 0.0f && !(kThicknesses[row] > kBald)) ++row;
     float const down = std::clamp((thickness - kThicknesses[row]) / (kThicknesses[row + 1] - kThicknesses[row]), 0.0f, 1.0f);
     auto const threshold = [&](std::size_t column) {
         return rows[row][column] + down * (rows[row + 1][column] - rows[row][column]);
@@ -132,7 +134,7 @@ float calibratedCover(Genus genus, float cover, float thickness) {
 }
 
 glm::vec4 anvilWay(Layer const& layer, CloudSettings const& settings) {
-    float const anvil = anvilShareOf(layer), cover = std::clamp(layer.cover, 0.0f, 1.0f);
+    float const anvil = anvilShareOf(layer.genus, layer.top - layer.base), cover = std::clamp(layer.cover, 0.0f, 1.0f);
     if (!(anvil > 0.0f && cover > 0.0f)) return glm::vec4{0.0f};
     glm::dvec2 const wind = layer.wind + glm::dvec2{kAnvilWesterly, 0.0};
     double const speed = glm::length(wind);
@@ -191,7 +193,7 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
         shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, extinctionOfWater(layer.genus)};
         float const threshold = std::clamp(calibratedCover(layer.genus, layer.cover, layer.top - layer.base), 0.0f, kClosed);
-        float const anvil = anvilShareOf(layer);
+        float const anvil = anvilShareOf(layer.genus, layer.top - layer.base);
         shape.body = {form.reach, threshold - layer.cover, anvil, anvil > 0.0f ? latticeWayOf(layer.wind) : 0.0f};
         double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;
         double const rise = layer.phase * kDetailRise;

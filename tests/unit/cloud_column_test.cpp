@@ -219,9 +219,11 @@ TEST(Anvil, LiesOverItsTowersAndFarDownwindOfThemWhereverTheWindBlows) {
 TEST(Anvil, DoesNotTouchTheCoverWhateverTheWind) {
     for (glm::dvec2 const& wind : {glm::dvec2{0.0, 0.0}, glm::dvec2{-20.0, 5.0}})
         for (float cover : {0.1f, 0.25f, 0.5f, 0.75f}) {
-            Weather weather = weatherOf(Genus::Cb, cover, 9000.0f, 11u);
-            weather.layers[0].wind = wind;
-            EXPECT_NEAR(shareUnder(weather), cover, 0.03) << cover << " " << wind.x;
+            for (float thickness : {2100.0f, 9000.0f}) {
+                Weather weather = weatherOf(Genus::Cb, cover, thickness, 11u);
+                weather.layers[0].wind = wind;
+                EXPECT_NEAR(shareUnder(weather), cover, 0.03) << cover << " " << wind.x << " " << thickness;
+            }
         }
 }
 
