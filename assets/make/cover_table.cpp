@@ -29,13 +29,24 @@ float crossing(glsl::LayerColumn column, glsl::LayerShape const& shape, glm::vec
     return 0.5f * (low + high);
 }
 
-/// Thresholds of kColumns columns strewn over the plane, sorted.
-std::vector<float> crossings(weather::Genus genus, float thickness, weather::NoiseVolumes const& noise) {
+/// A layer that has this cover, alone.
+weather::Weather weatherOf(weather::Genus genus, float thickness, float cover) {
     weather::Weather here;
     here.layerCount = 1;
     weather::GenusRow const& row = weather::genusRow(genus);
-    here.layers[0] = {.genus = genus, .cover = 0.5f, .base = 1000.0f, .top = 1000.0f + thickness,
+    here.layers[0] = {.genus = genus, .cover = cover, .base = 1000.0f, .top = 1000.0f + thickness,
                       .water = static_cast<float>(row.water), .wind = {8.0, 3.0}};
+    return here;
+}
+
+weather::Weather withLayer(weather::Weather weather, weather::Layer const& layer) {
+    weather.layers[0] = layer;
+    return weather;
+}
+
+/// Thresholds of kColumns columns strewn over the plane, sorted.
+std::vector<float> crossings(weather::Weather const& here, weather::NoiseVolumes const& noise) {
+    weather::Layer layer = here.layers[0];
     glsl::LayerShape const shape = weather::cloudShape(here, 1, glm::dvec2{0.0}).layers[0];
     float const water = weather::CloudColumns{here, 1}.bare().layers[0].water;
     std::vector<float> result;
@@ -43,8 +54,13 @@ std::vector<float> crossings(weather::Genus genus, float thickness, weather::Noi
     auto const unit = [&] { return glsl::unitFromHash(hash = glsl::hashOf(hash)); };
     for (int i = 0; i < kColumns; ++i) {
         float const rank = (static_cast<float>(i) + unit()) / kColumns;  // stratified: the rank is uniform
-        glsl::LayerColumn const column{rank, 0.0f, 1000.0f, 1000.0f + thickness, water};
-        result.push_back(crossing(column, shape, {65536.0f * unit(), 65536.0f * unit()}, weather::coverDepth(genus), noise));
+        glsl::LayerColumn column{rank, 0.0f, layer.base, layer.top, water, 1.0f};
+        glm::vec2 const place{65536.0f * unit(), 65536.0f * unit()};
+        if (shape.body.z > 0.0f) {  // the ranks of tower and anvil belong together: those of real places
+            layer.pattern = hash;
+            column = weather::CloudColumns{withLayer(here, layer), 1}.at(static_cast<double>(place.x), -static_cast<double>(place.y)).layers[0];
+        }
+        result.push_back(crossing(column, shape, place, weather::coverDepth(layer.genus), noise));
     }
     std::sort(result.begin(), result.end());
     return result;
@@ -75,10 +91,14 @@ int main() {
     for (int genus = 0; genus < weather::kGenera; ++genus) {
         fmt::print("    {{{{ // {}\n", weather::genusName(static_cast<weather::Genus>(genus)));
         for (float thickness : kThicknesses) {
-            std::vector<float> const sorted = crossings(static_cast<weather::Genus>(genus), thickness, noise);
+            std::vector<float> sorted;
             std::array<float, kCovers.size()> row{};
-            for (std::size_t i = 0; i < kCovers.size(); ++i)
+            for (std::size_t i = 0; i < kCovers.size(); ++i) {
+                weather::Weather const here = weatherOf(static_cast<weather::Genus>(genus), thickness, kCovers[i]);
+                // How far an anvil is carried depends on its cover; what has none looks alike whatever its cover is.
+                if (i == 0 || weather::anvilWay(here.layers[0]).w > 0.0f) sorted = crossings(here, noise);
                 row[i] = sorted[static_cast<std::size_t>(kCovers[i] * static_cast<float>(sorted.size()))];
+            }
             fmt::print("        {{");
             printList(row);
             fmt::print("}},\n");

@@ -104,10 +104,20 @@ void ReferenceClouds::boundCell(Grid& grid, std::size_t level, int column, int r
     double const slab = (highest_ - lowest_) / kSlabs;
     for (int layer = 0; layer < layerCount_; ++layer) {
         PlaneMap const& ranks = ranks_[level][static_cast<std::size_t>(layer)];
-        float least = 1.0f;
-        for (int z = std::max(row * kCellTexels - 1, 0); z <= std::min((row + 1) * kCellTexels, kRanks - 1); ++z)
-            for (int x = std::max(column * kCellTexels - 1, 0); x <= std::min((column + 1) * kCellTexels, kRanks - 1); ++x)
-                least = std::min(least, ranks.texelAt(x, z));
+        // The least rank of the cell, or of where it is `aside` m.
+        auto const leastAt = [&](glm::vec2 const& aside) {
+            glm::ivec2 const shift{glm::round(glm::dvec2{aside} / ranks.texel())};
+            glm::ivec2 const first = glm::clamp(glm::ivec2{column, row} * kCellTexels - 2 + shift, 0, kRanks - 1);
+            glm::ivec2 const last = glm::clamp(glm::ivec2{column + 1, row + 1} * kCellTexels + 1 + shift, 0, kRanks - 1);
+            float least = 1.0f;
+            for (int z = first.y; z <= last.y; ++z)
+                for (int x = first.x; x <= last.x; ++x) least = std::min(least, ranks.texelAt(x, z));
+            return least;
+        };
+        glsl::LayerShape const& s = shape_.layers[layer];
+        LeastRank least{leastAt(glm::vec2{0.0f}), 1.0f};
+        glm::vec2 const carried{s.fibre.x, s.fibre.y};
+        if (s.body.z > 0.0f) least.anvil = glsl::anvilRank(leastAt(-s.fibre.z * carried), leastAt(-carried), s.fibre.w);
         // What is linear has its extremes in the corners.
         glsl::LayerField const& field = fields_[static_cast<std::size_t>(layer)];
         glm::vec4 low{1.0e9f}, high{-1.0e9f};
@@ -122,22 +132,22 @@ void ReferenceClouds::boundCell(Grid& grid, std::size_t level, int column, int r
 }
 
 /// The most that a layer has in a slab whose bottom is at `bottom`: nothing where even the largest envelope stays below.
-float ReferenceClouds::slabBound(int layer, glm::vec4 const& low, glm::vec4 const& high, float rank, double bottom) const {
+float ReferenceClouds::slabBound(int layer, glm::vec4 const& low, glm::vec4 const& high, LeastRank const& rank, double bottom) const {
     glsl::LayerShape const& s = shape_.layers[layer];
     double const slab = (highest_ - lowest_) / kSlabs;
     double const base = static_cast<double>(low.y), top = static_cast<double>(high.z);
     if (bottom > top || bottom + slab < base) return 0.0f;
     float const full = high.w * s.look.w;
-    float const margin = high.x - rank + s.look.y;
+    float const margin = high.x - rank.tower + s.look.y;
     if (s.look.z > 0.5f) {
         if (margin <= 0.0f) return 0.0f;
         float const thickness = high.z - low.y;
         return (0.07f + 1.96f * full * thickness) * 1.5f / std::max(low.z - high.y, 20.0f);
     }
-    float const towers = glsl::towerCover(high.x, s) - rank + s.look.y;
-    float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerWidth(glsl::towerCover(low.x, s), s)) : -1.0f;
+    float const towers = glsl::towerCover(high.x, s) - rank.tower + s.look.y;
+    float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerWidth(glsl::towerCover(low.x, s), s), s) : -1.0f;
     bool const tower = bottom < base + static_cast<double>(rise) * (top - base);
-    bool const anvil = s.body.z > 0.0f && high.x - rank + glsl::kAnvilFray > 0.0f && bottom + slab > base + static_cast<double>(glsl::kAnvilFoot) * (top - base);
+    bool const anvil = s.body.z > 0.0f && high.x - rank.anvil + glsl::anvilFray(high.x) > 0.0f && bottom + slab > base + static_cast<double>(glsl::kAnvilFoot) * (top - base);
     return (tower ? 1.1f * full : 0.0f) + (anvil ? 1.7f * glsl::kAnvilIce * full : 0.0f);
 }
 
@@ -148,7 +158,12 @@ glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) 
     glsl::LayerField const& field = fields_[i];
     glm::vec4 const v = glm::clamp(field.centre + field.eastward * static_cast<float>(place.x) + field.southward * static_cast<float>(place.z),
                                    field.low, field.high);
-    return {ranks.covers(place.x, place.z) ? ranks.at(place.x, place.z) : 1.0f, v.x, v.y, v.z, v.w};
+    auto const rankAt = [&](double x, double z) { return ranks.covers(x, z) ? ranks.at(x, z) : 1.0f; };
+    glsl::LayerColumn column{rankAt(place.x, place.z), v.x, v.y, v.z, v.w, 1.0f};
+    glsl::LayerShape const& s = shape_.layers[layer];
+    glm::dvec2 const carried{s.fibre.x, s.fibre.y}, less = static_cast<double>(s.fibre.z) * carried;
+    if (s.body.z > 0.0f) column.anvil = glsl::anvilRank(rankAt(place.x - less.x, place.z - less.y), rankAt(place.x - carried.x, place.z - carried.y), s.fibre.w);
+    return column;
 }
 
 ReferenceClouds::Extinction ReferenceClouds::at(glm::dvec3 const& place) const {

@@ -63,10 +63,11 @@ private:
         bool covers(double x, double z) const { return std::abs(x) < 0.5 * width && std::abs(z) < 0.5 * width; }
     };
     glsl::LayerColumn columnAt(int layer, glm::dvec3 const& place) const;
+    struct LeastRank { float tower, anvil; };
     void makeRanks(Snapshot const& snapshot, weather::Weather const& sky, int workers);
     void makeGrid(Grid& grid, std::size_t level, int workers);
     void boundCell(Grid& grid, std::size_t level, int column, int row) const;
-    float slabBound(int layer, glm::vec4 const& low, glm::vec4 const& high, float rank, double bottom) const;
+    float slabBound(int layer, glm::vec4 const& low, glm::vec4 const& high, LeastRank const& rank, double bottom) const;
 
     int layerCount_ = 0;
     glsl::CloudShape shape_;

@@ -102,6 +102,10 @@ void addShower(LayerAir const& l, Shower const& shower) {
 void addDroplets(LayerAir const& l, glsl::LayerShape const& form) {
     glsl::LayerColumn column = l.column;
     column.rank = static_cast<float>(l.rankAt(glm::dvec2{0.0}));
+    if (form.body.z > 0.0f) {
+        glm::dvec2 const carried{form.fibre.x, -form.fibre.y};
+        column.anvil = glsl::anvilRank(static_cast<float>(l.rankAt(-static_cast<double>(form.fibre.z) * carried)), static_cast<float>(l.rankAt(-carried)), form.fibre.w);
+    }
     NoiseVolumes const& noise = *l.from.noise;
     double const extinction = static_cast<double>(glsl::layerSample(glm::vec3{l.at.positionWorld}, column, form, noise.shape.sampler(),
                                                                     noise.detail.sampler(), noise.curl.sampler(), 0.0f).extinction);

@@ -33,14 +33,18 @@ constexpr std::array<Form, kGenera> kForms{{
     /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.0f, 0.75, false, 0.0, 0.0},
     /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
     /* Cu */ {0.50f, 0.0f, 300.0f, 140.0f, 20.0f, 0.05f, 0.45f, 1100.0f, 0.0f, 1.0, false, 0.0, 0.0},
-    /* Cb */ {0.28f, 0.0f, 850.0f, 180.0f, 50.0f, 0.03f, 0.22f, 5000.0f, 0.65f, 1.5, false, 0.0, 0.0},
+    /* Cb */ {0.50f, 0.0f, 850.0f, 110.0f, 50.0f, 0.0f, 0.18f, 6500.0f, 0.45f, 1.5, false, 0.0, 0.0},
     /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
 
 constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
-constexpr float kNoAnvil = 2000.0f, kWholeAnvil = 3500.0f;  // m, thickness from which a top is ice that spreads
+constexpr float kBald = 2000.0f;                      // m: the top of a storm that is no thicker is no ice that spreads
+constexpr float kMostAnvil = 0.45f;       // cover, from which on no more of it is anvil (lib/cloud's anvilReach)
+constexpr double kAnvilLead = 0.8, kAnvilLength = 1.4;  // by how much of the way between rim and foot, and of the rim's own, it is carried
+constexpr float kAnvilWeaker = 0.4f;      // of the cover: what it loses in rank on that way
+constexpr double kAnvilWesterly = 0.3;     // m/s, added to the wind that carries it: a calm has no direction
 constexpr double kDetailPace = 1.08;                  // the detail drifts faster than the clouds it eats at
 constexpr double kDetailRise = 900.0;                 // m/h, the boiling of the edges
 
@@ -66,6 +70,9 @@ float coreWater(Layer const& layer, Weather const& weather) {
     return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
 }
 
+/// Share of a small cover that is anvil alone, of a layer `thickness` m thick.
+float anvilShareOf(Genus genus, float thickness) { return thickness > kBald ? formOf(genus).anvil : 0.0f; }
+
 /// Where between lib/cloud's eight lattice ways, 0..8, a wind (m/s, east and north) blows, or the way back.
 float latticeWayOf(glm::dvec2 const& wind) {
     double turn = core::atan2(-wind.y, wind.x) * 2.0 / core::kPi;  // quarters, east by south
@@ -78,7 +85,7 @@ float latticeWayOf(glm::dvec2 const& wind) {
     return static_cast<float>(4.0 * quarter + static_cast<double>(k) + (within - kTurns[k]) / (next - kTurns[k]));
 }
 
-glsl::LayerColumn emptyLayer() { return {1.0f, kEmpty, -1.0e5f, -1.0e5f + 1.0f, 0.0f}; }
+glsl::LayerColumn emptyLayer() { return {1.0f, kEmpty, -1.0e5f, -1.0e5f + 1.0f, 0.0f, 1.0f}; }
 
 /// Anchor of a noise of `period` m, after a drift in m east and north.
 glm::vec3 anchorOf(glm::dvec2 const& origin, glm::dvec2 const& drift, double rise, double period) {
@@ -109,6 +116,8 @@ float calibratedCover(Genus genus, float cover, float thickness) {
     // Between two thicknesses of the table, and within each between two covers.
     std::size_t row = 0;
     while (row + 2 < kThicknesses.size() && thickness > kThicknesses[row + 1]) ++row;
+    // Nothing lies between a bald storm and one with an anvil.
+    while (anvilShareOf(genus, thickness) > 0.0f && !(kThicknesses[row] > kBald)) ++row;
     float const down = std::clamp((thickness - kThicknesses[row]) / (kThicknesses[row + 1] - kThicknesses[row]), 0.0f, 1.0f);
     auto const threshold = [&](std::size_t column) {
         return rows[row][column] + down * (rows[row + 1][column] - rows[row][column]);
@@ -124,6 +133,20 @@ float calibratedCover(Genus genus, float cover, float thickness) {
     return threshold(column) + share * (threshold(column + 1) - threshold(column));
 }
 
+glm::vec4 anvilWay(Layer const& layer, CloudSettings const& settings) {
+    float const anvil = anvilShareOf(layer.genus, layer.top - layer.base), cover = std::clamp(layer.cover, 0.0f, 1.0f);
+    if (!(anvil > 0.0f && cover > 0.0f)) return glm::vec4{0.0f};
+    glm::dvec2 const wind = layer.wind + glm::dvec2{kAnvilWesterly, 0.0};
+    double const speed = glm::length(wind);
+    if (!(speed > 0.0)) return {0.0f, 0.0f, 1.0f, kAnvilWeaker * cover};
+    // All of it lies so far downwind that it ends little upwind of the tower's foot, and its far half that far again.
+    double const rim = std::sqrt(static_cast<double>(cover)), foot = std::sqrt(static_cast<double>(cover - anvil * std::min(cover, kMostAnvil)));
+    double const all = kAnvilLead * (rim - foot), far = all + kAnvilLength * rim;
+    double const metres = static_cast<double>(formOf(layer.genus).reach * settings.weatherScale);
+    glm::dvec2 const way = wind * (metres * far / speed);
+    return {static_cast<float>(way.x), static_cast<float>(-way.y), static_cast<float>(all / far), kAnvilWeaker * cover};
+}
+
 CloudColumns::CloudColumns(Weather const& weather, unsigned seed, CloudSettings const& settings)
     : scale_{static_cast<double>(settings.weatherScale)} {
     for (int i = 0; i < glsl::kCloudLayers; ++i) bare_.layers[i] = emptyLayer();
@@ -132,8 +155,9 @@ CloudColumns::CloudColumns(Weather const& weather, unsigned seed, CloudSettings 
         Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
         float const cover = calibratedCover(layer.genus, layer.cover, layer.top - layer.base);
         bare_.layers[i] = {1.0f, cover - settings.densityThreshold, layer.base + settings.height,
-                           std::max(layer.top, layer.base + 20.0f) + settings.height, coreWater(layer, weather) * settings.sigma};
+                           std::max(layer.top, layer.base + 20.0f) + settings.height, coreWater(layer, weather) * settings.sigma, 1.0f};
         patterns_.emplace_back(layer, seed);
+        carried_.push_back(anvilWay(layer, settings));
     }
 }
 
@@ -141,7 +165,11 @@ glsl::CloudColumn CloudColumns::at(double east, double north) const {
     glsl::CloudColumn column = bare_;
     for (int i = 0; i < layerCount(); ++i) {
         LayerPattern const& pattern = patterns_[static_cast<std::size_t>(i)];
-        column.layers[i].rank = pattern.drifting((east - pattern.drift().x) / scale_, (north - pattern.drift().y) / scale_);
+        auto const rankAt = [&](double x, double y) { return pattern.drifting((x - pattern.drift().x) / scale_, (y - pattern.drift().y) / scale_); };
+        column.layers[i].rank = rankAt(east, north);
+        glm::dvec4 const way{carried_[static_cast<std::size_t>(i)]};
+        if (way.w > 0.0)
+            column.layers[i].anvil = glsl::anvilRank(rankAt(east - way.z * way.x, north + way.z * way.y), rankAt(east - way.x, north + way.y), static_cast<float>(way.w));
     }
     return column;
 }
@@ -165,7 +193,7 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
         shape.form = {form.domeWidth, form.lens, form.carve, form.detail};
         shape.look = {form.softness, form.fray, form.sheet ? 1.0f : 0.0f, extinctionOfWater(layer.genus)};
         float const threshold = std::clamp(calibratedCover(layer.genus, layer.cover, layer.top - layer.base), 0.0f, kClosed);
-        float const anvil = form.anvil * glsl::ramp(layer.top - layer.base, kNoAnvil, kWholeAnvil);
+        float const anvil = anvilShareOf(layer.genus, layer.top - layer.base);
         shape.body = {form.reach, threshold - layer.cover, anvil, anvil > 0.0f ? latticeWayOf(layer.wind) : 0.0f};
         double const scale = static_cast<double>(form.sheet ? settings.higherScale : settings.scale) * form.grain;
         double const rise = layer.phase * kDetailRise;
@@ -173,6 +201,7 @@ glsl::CloudShape cloudShape(Weather const& weather, unsigned seed, glm::dvec2 co
                                  static_cast<float>(1.0 / (glsl::kShapePeriod * scale))};
         shape.detail = glm::vec4{anchorOf(originEastNorth, layer.drift * kDetailPace, rise, glsl::kDetailPeriod * scale),
                                  static_cast<float>(1.0 / (glsl::kDetailPeriod * scale))};
+        shape.fibre = anvilWay(layer, settings);
         if (form.sheet) layFibres(shape, form, LayerPattern{layer, seed}, scale);
         shape.wind = {static_cast<float>(layer.wind.x), static_cast<float>(-layer.wind.y),
                       static_cast<float>(0.02 * layer.wind.x), static_cast<float>(-0.02 * layer.wind.y)};

@@ -28,6 +28,7 @@ public:
 private:
     glsl::CloudColumn bare_;  // all but the ranks
     std::vector<LayerPattern> patterns_;
+    std::vector<glm::vec4> carried_;  // anvilWay of each
     double scale_ = 1.0;
 };
 
@@ -38,6 +39,9 @@ glsl::CloudColumn cloudColumn(Field const& field, double east, double north, cor
 /// with an optical depth above 0.3 (0.05 for Ci, Cc, Cs) is the cover. Rising with cover; below 0 for none, 1 and
 /// more for a closed layer.
 float calibratedCover(Genus genus, float cover, float thickness);
+
+/// How far a layer's anvil is carried downwind of its towers: LayerShape's fibre of what has an anvil, nothing for others.
+glm::vec4 anvilWay(Layer const& layer, CloudSettings const& settings = {});
 
 /// Form and noise of the layers of a weather. `origin`: where the frame of `density`'s points lies in the world, m
 /// east and north.

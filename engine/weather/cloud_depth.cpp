@@ -11,7 +11,7 @@ constexpr float kStep = 30.0f;  // m, of the midpoint rule
 
 float layerDepth(glsl::LayerColumn const& c, glsl::LayerShape const& shape, glm::vec2 const& place,
                  NoiseVolumes const& noise) {
-    if (shape.extent.z < 0.5f || c.cover - c.rank + shape.look.y + shape.body.z <= 0.0f) return 0.0f;
+    if (shape.extent.z < 0.5f || std::max(c.cover - c.rank + shape.look.y, shape.body.z > 0.0f ? c.cover - c.anvil + glsl::anvilFray(c.cover) : -1.0f) <= 0.0f) return 0.0f;
     glm::vec3 p{place.x, 0.0f, place.y};
     if (shape.look.z > 0.5f) return glsl::sheetDepth(p, c, shape, noise.curl.sampler(), 0.0f);
     float const thickness = c.top - c.base;

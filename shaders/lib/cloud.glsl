@@ -13,8 +13,9 @@
 // between, which is what cauliflower is. Fine noise eats at what is left, wisps below and billows above. Metres, not
 // shares of a height, so that a small cloud is as rough as a large one. What lies deeper than the edge's softness is
 // cloud. A flat base is a face of its own that nothing pushes.
-// A cumulonimbus is two bodies over one rank: its towers stand on the inner part of its cover, and where they meet the
-// tropopause their ice spreads out to the whole of it, an anvil in streaks along the wind, thick at the tower and thin at the rim.
+// A cumulonimbus is two bodies over one rank: its towers stand on the inner part of its cover, wide below and narrow above, and
+// where they meet the tropopause their ice spreads out to the whole of it, an anvil in streaks along the wind, thick at the tower and
+// thin at the rim. It asks for the rank upwind of where it is, at two places, so that it lies downwind of its tower, and long.
 // The density never falls as the margin grows, so a threshold of the rank (weather/cloud_column's table) puts right what
 // the noise takes from the cover.
 // Perlin-Worley and Worley billows, and the turn from wisps to billows, are Schneider's (GPU Pro 7, chapter 4).
@@ -77,18 +78,24 @@ GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
 // By how much of the rank an anvil reaches beyond its towers; the wider its layer's cover, the less of it.
 GLSL_FUNCTION float anvilReach(float cover, LayerShape s) { return s.body.z * clamp(cover, 0.0f, 0.45f); }
 
+GLSL_CONST float kTowerTaper = 0.7f;  // of a tower's foot in rank, what it has lost at its top
+
 // The threshold of the rank under which the towers of a layer stand.
 GLSL_FUNCTION float towerCover(float cover, LayerShape s) { return cover - anvilReach(cover, s); }
 
+// By how much of the rank the streaks of an anvil reach beyond its mean outline.
+GLSL_FUNCTION float anvilFray(float cover) { return 0.35f * clamp(cover, 0.0f, 0.45f) * frayWindow(cover); }
+
 // The margin at which a tower reaches its full height: where there are few, each still does.
 GLSL_FUNCTION float towerWidth(float cover, LayerShape s) {
-    return hasTowers(s) ? clamp(0.6f * cover, 0.02f, s.form.x) : s.form.x;
+    return hasTowers(s) ? clamp(kTowerTaper * cover, 0.02f, s.form.x) : s.form.x;
 }
 
-// Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides.
-GLSL_FUNCTION float riseAt(float margin, float width) {
+// Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides. A tower's rank grows
+// like the square of the way from its middle, so that with a straight rise it is a dome, too.
+GLSL_FUNCTION float riseAt(float margin, float width, LayerShape s) {
     float x = 1.0f - clamp(margin / width, 0.0f, 1.0f);
-    return 1.0f - x * x;
+    return hasTowers(s) ? 1.0f - x : 1.0f - x * x;
 }
 
 // Optical depth, straight down, of a sheet of fibres.
@@ -138,7 +145,8 @@ GLSL_FUNCTION Envelope envelopeAt(float margin, float width, float thickness, fl
 GLSL_FUNCTION float heightShare(vec3 p, LayerShape s, sampler3D curl) {
     if (s.extent.w <= 0.0f) return 1.0f;
     float scale = s.anchor.w * (kShapePeriod / 12288.0f);
-    float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), 1.0f).w;
+    float even = hasTowers(s) ? 3.0f : 1.0f;  // what changes over less than a tower's width would furrow its walls
+    float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), even).w;
     return 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
 }
 
@@ -161,6 +169,12 @@ GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sam
     wisps = clamp(1.7f * wisps - 0.35f, 0.0f, 1.0f);
     return mix(wisps, 1.0f - wisps, clamp(share * 5.0f, 0.0f, 1.0f));
 }
+
+GLSL_CONST float kTowerRound = 900.0f;   // m, of the shoulder between a tower's wall and its top
+GLSL_CONST float kTurrets = 1.5f;        // of a layer's carving, how deep it goes between the turrets of a tower
+GLSL_CONST float kKnobs = 0.5f;          // and between the billows on them
+GLSL_CONST float kShed = 140.0f;         // m, what is thinner than that beside a tower is none of it
+GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as a layer's carving
 
 // A layer with a body, its anvil apart.
 GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
@@ -185,11 +199,13 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     float lower = heightShare(p, s, curl);
     Envelope e = envelopeAt(margin, width, thickness, lower, s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
+    float radius = 0.0f;  // m, half the width of a tower at this height
     if (hasTowers(s)) {
         // The wall of a tower is as near as it stands in the plane: where the rank has its low, it grows like the square of the way.
-        float wall = width * (1.0f - sqrt(max(1.0f - above / (lower * thickness), 0.0f)));
-        float way = sqrt(max(towers.cover - wall, 0.0f)) - sqrt(max(towers.cover - margin, 0.0f));
-        belowTop = roundedMin(belowTop, way * s.body.x, 600.0f);
+        float top = lower * thickness;
+        e.high = top * riseAt(margin, width, s);
+        radius = s.body.x * sqrt(max(towers.cover - width * min(above / top, 1.0f), 0.0f));
+        belowTop = roundedMin(top + kShed - above, radius - s.body.x * sqrt(max(towers.cover - margin, 0.0f)), kTowerRound);
     }
     result.outside = -belowTop;
     if (result.outside >= reaches) return result;
@@ -200,8 +216,10 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
     float reach = min(s.form.z, 0.25f * thickness);
     float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
-    if (hasTowers(s))  // turrets upon turrets
-        carve = 0.65f * carve + s.body.z * reach * (1.0f - billowOf(textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f))));
+    if (hasTowers(s)) {  // turrets upon turrets; never so deep that a narrow tower would break into pieces
+        float turrets = 1.0f - billowOf(textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f)));
+        carve = (kKnobs * carve + kTurrets * reach * turrets) * min(kDeepestCarve * radius / reach, 1.0f) + kShed;
+    }
     float ripple = min(s.form.w, 0.1f * thickness);
     float soft = min(s.look.x, 0.3f * thickness);
     float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
@@ -234,10 +252,9 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
 
 // Of the layer's height: where the anvil's underside meets the tower, where it lies beside it, and where its top is. What is
 // above are the tops that shoot over.
-GLSL_CONST float kAnvilFoot = 0.76f;
-GLSL_CONST float kAnvilRim = 0.85f;
+GLSL_CONST float kAnvilFoot = 0.62f;
+GLSL_CONST float kAnvilRim = 0.84f;
 GLSL_CONST float kAnvilTop = 0.94f;
-GLSL_CONST float kAnvilFray = 0.16f;  // of the rank: how far its streaks reach beyond their mean
 GLSL_CONST float kAnvilIce = 0.11f;   // extinction beside the tower, of that in it: 0.25 g/m3 of crystals of 35 um for 1.2 g/m3 of drops of 15 um
 
 // The ways along which streaks can lie so that they repeat with the anchor: (1, 0), (2, 1), (1, 1), (1, 2), and the same a
@@ -271,33 +288,46 @@ GLSL_FUNCTION float anvilStreaks(vec3 p, LayerShape s, sampler3D curl, float lod
     return next > 0.0f ? streaks + next * streaksAlong(p, k + 1, s, curl, lod) : streaks;
 }
 
-GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D curl, float lod) {
+// The rank that an anvil has at a place: `near` and `far` are the layer's where its ice came from, LayerShape's fibre.z and all of its
+// fibre.xy upwind; `weaker` is its fibre.w.
+GLSL_FUNCTION float anvilRank(float near, float far, float weaker) { return roundedMin(near, far + weaker, max(1.6f * weaker, 1e-3f)); }
+
+// How far within an anvil's rim a rank lies: 0 there, 1 over the rim of its tower's foot, evenly with the way in the plane.
+GLSL_FUNCTION float anvilShare(float rank, float cover, LayerShape s) {
+    float rim = sqrt(max(cover, 0.0f));
+    return (rim - sqrt(max(rank, 0.0f))) / max(rim - sqrt(max(towerCover(cover, s), 0.0f)), 1e-3f);
+}
+
+GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
     float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;
     float reaches = 0.5f * blur;
-    result.outside = max((c.rank - c.cover - kAnvilFray) * s.body.x, max(kAnvilFoot * thickness - above, above - kAnvilTop * thickness));
+    float fray = anvilFray(c.cover);
+    result.outside = max((c.anvil - c.cover - fray) * s.body.x, max(kAnvilFoot * thickness - above, above - kAnvilTop * thickness));
     if (result.outside >= reaches) return result;
     float streaks = anvilStreaks(p, s, curl, max(lod - 0.5f, 0.0f));
-    float margin = c.cover - c.rank + kAnvilFray * frayWindow(c.cover) * streaks;
+    float margin = c.cover - c.anvil + fray * streaks;
     result.outside = -margin * s.body.x;
     if (result.outside >= reaches) return result;
 
-    float near = clamp(margin / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f);  // 0 at the rim, 1 at the tower
-    // A lens whose underside sinks once more where it meets the tower.
-    float tower = clamp(2.0f * mix(c.cover - c.rank, margin, 0.35f) / max(anvilReach(c.cover, s), 1e-3f) - 2.0f, 0.0f, 1.0f);
+    float near = clamp(anvilShare(c.cover - margin, c.cover, s), 0.0f, 1.0f);
+    // A wedge under a level top; its underside sinks once more where it meets the tower.
+    float foot = sqrt(max(c.rank, 0.0f) / max(towerCover(c.cover, s), 1e-3f));  // 0 over the middle of the tower, 1 over the rim of its foot
+    float flare = clamp(1.2f - foot, 0.0f, 1.0f);
+    vec3 q = p + vec3(s.anchor);
+    float lumps = 0.012f * streaks + 0.035f * (billowOf(textureLod(shape, q * (s.anchor.w * (2.0f / 3.0f)), min(lod + 0.5f, 3.5f))) - 0.5f);
     float lens = 1.0f - (1.0f - near) * (1.0f - near);
-    float high = (kAnvilTop + 0.010f * streaks - 0.045f * (1.0f - lens)) * thickness;
-    float low = (mix(kAnvilTop - 0.045f, kAnvilRim, near) - (kAnvilRim - kAnvilFoot) * tower * tower) * thickness;
+    float high = (kAnvilTop + 0.008f * streaks - 0.03f * (1.0f - lens)) * thickness;
+    float low = (mix(kAnvilTop - 0.045f, kAnvilRim, near) - lumps * (1.0f - flare) - (kAnvilRim - kAnvilFoot) * flare * flare) * thickness;
     float inside = min(above - low, high - above);
     result.outside = -inside;
     if (result.outside >= reaches) return result;
     float soft = 0.02f * thickness;
     float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
     float strand = clamp(1.0f + 0.9f * streaks, 0.0f, 1.7f);
-    float thick = near * near;
-    float ice = c.water * s.look.w * kAnvilIce * mix(0.006f * smoothstep(0.0f, 0.1f, near), 1.0f, thick * thick) * mix(strand, 1.0f, near);
+    float ice = c.water * s.look.w * kAnvilIce * near * near * near * mix(strand, 1.0f, near);
     result.outside = max(-inside, 0.0f);
     inside = max(inside, 0.0f);
     result.depth = ice * inside;
@@ -329,7 +359,7 @@ GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float share = (p.y - c.base) / (c.top - c.base);
     if (share <= 0.0f || share >= 1.0f) return noCloud();
     CloudSample result = bodySample(p, c, s, shape, detail, curl, lod);
-    if (hasTowers(s)) result = together(result, anvilSample(p, c, s, curl, lod));
+    if (hasTowers(s)) result = together(result, anvilSample(p, c, s, shape, curl, lod));
     return result;
 }
 
@@ -353,8 +383,8 @@ GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     float margin = towers - c.rank;
     float width = towerWidth(towers, s);
     float full = 0.6f * c.water * s.look.w * thickness / up;
-    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, width) : riseAt(margin, width));
-    float near = hasTowers(s) ? clamp((c.cover - c.rank) / max(anvilReach(c.cover, s), 1e-3f), 0.0f, 1.0f) : 0.0f;
+    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, width) : riseAt(margin, width, s));
+    float near = hasTowers(s) ? clamp(anvilShare(c.anvil, c.cover, s), 0.0f, 1.0f) : 0.0f;
     here += full * kAnvilIce * (kAnvilTop - kAnvilFoot) * near * near * near;
     float share = clamp(towers, 0.0f, 0.99f);
     float mean = -log(1.0f - share + share * exp(-min(0.7f * full, 40.0f)));

@@ -42,13 +42,26 @@ LayerColumn columnAt(int layer, vec2 place, out float coarse) {
     vec4 v = clamp(field.centre + field.eastward * place.x + field.southward * place.y, field.low, field.high);
     vec2 rank = rankAt(layer, place);
     coarse = hasTowers(clouds.shapes[layer]) ? 0.0 : rank.y;  // what has an anvil is large enough to be drawn whole anywhere
-    return LayerColumn(rank.x, v.x, v.y, v.z, v.w);
+    return LayerColumn(rank.x, v.x, v.y, v.z, v.w, rank.x);
+}
+
+/// The same with the rank of its anvil, where it has one: two more are read.
+LayerColumn withAnvil(LayerColumn c, int layer, vec2 place) {
+    LayerShape s = clouds.shapes[layer];
+    if (hasTowers(s)) c.anvil = anvilRank(rankAt(layer, place - s.fibre.z * s.fibre.xy).x, rankAt(layer, place - s.fibre.xy).x, s.fibre.w);
+    return c;
+}
+
+/// Whether a layer's anvil may lie at an altitude, `reach` m of blur around it.
+bool anvilReaches(LayerColumn c, int layer, float y, float reach) {
+    return hasTowers(clouds.shapes[layer]) && y > c.base + kAnvilFoot * (c.top - c.base) - reach;
 }
 
 /// Of a layer with a body.
 CloudSample layerAt(int layer, vec3 p, float lod) {
     float coarse;
     LayerColumn column = columnAt(layer, p.xz, coarse);
+    if (anvilReaches(column, layer, p.y, 16.0 * exp2(lod))) column = withAnvil(column, layer, p.xz);
     CloudSample near = noCloud();
     if (coarse < 1.0)
         near = solidSample(p, column, clouds.shapes[layer], cloudShapeNoise, cloudDetailNoise, cloudCurlNoise, lod);
@@ -96,11 +109,12 @@ bool cloudMayBeOf(int bits, vec3 p) {
         LayerShape s = clouds.shapes[layer];
         float share = (p.y - c.base) / (c.top - c.base);
         float towers = towerCover(c.cover, s);
-        float margin = towers - c.rank + s.look.y * frayWindow(c.cover) + 0.4 * coarse;
-        float rise = riseAt(margin, towerWidth(towers, s));
+        float margin = towers - c.rank + s.look.y * frayWindow(towers) + 0.4 * coarse;
+        float rise = riseAt(margin, towerWidth(towers, s), s);
         bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
-        bool anvil = hasTowers(s) && share > kAnvilFoot && share < kAnvilTop + 0.012 && c.cover - c.rank + kAnvilFray > 0.0;
-        found = share > 0.0 && share < 1.0 && ((margin > 0.0 && between) || anvil);
+        found = margin > 0.0 && between && share > 0.0 && share < 1.0;
+        if (!found && anvilReaches(c, layer, p.y, 0.0) && share < kAnvilTop + 0.01)
+            found = c.cover - withAnvil(c, layer, p.xz).anvil + anvilFray(c.cover) > 0.0;
         bits &= bits - 1;
     } while (bits != 0 && !found);
     return found;
@@ -123,7 +137,8 @@ LayersAbove layersAbove(vec3 p, vec3 toward) {
         vec4 extent = clouds.shapes[layer].extent;
         float coarse;
         float up = max(toward.y, 0.08);
-        LayerColumn c = columnAt(layer, p.xz + toward.xz * ((0.5 * (extent.x + extent.y) - p.y) / up), coarse);
+        vec2 there = p.xz + toward.xz * ((0.5 * (extent.x + extent.y) - p.y) / up);
+        LayerColumn c = withAnvil(columnAt(layer, there, coarse), layer, there);
         float depth = envelopeDepth(c, clouds.shapes[layer], up);
         sum.all += depth;
         sum.sheets += clouds.shapes[layer].look.z > 0.5 ? depth : 0.0;

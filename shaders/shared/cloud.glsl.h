@@ -15,6 +15,7 @@ struct LayerColumn {
     float base;
     float top;
     float water;  // kg/m3 in the core
+    float anvil;  // the rank of which its anvil is made: lib/cloud's anvilRank, where there is an anvil
 };
 
 // What stands over one point. Layers beyond the weather's have cover -1 and no extent.
@@ -34,7 +35,8 @@ struct LayerShape {
     vec4 anchor;  // xyz: m, add to a position to come to the frame that drifts with the layer (wrapped); w: 1/m, periods
                   // of the shape volume
     vec4 detail;  // the same of the detail volume, which drifts a little faster
-    vec4 fibre;   // xy: unit vector along fibres, east and south; z: 1/m along them; w: 1/m across
+    vec4 fibre;   // of a sheet xy: unit vector along fibres, east and south; z: 1/m along them; w: 1/m across. Of what has an anvil xy: m east and
+                  // south, how far it is carried; z: share of that by which all of it is; w: how much weaker in rank it is there
     vec4 wind;    // xy: m/s east and south; zw: m of skew per m of height, east and south
     vec4 extent;  // x: lowest base; y: highest top in the map; z: 1 = a layer at all; w: how much lower the lowest tops
                   // are, share of the height

@@ -32,8 +32,7 @@ Weather weatherOf(Genus genus, float cover, float thickness, unsigned pattern = 
 }
 
 /// Share of a 120 km square, sampled on a grid, where the clouds are thick enough to count.
-double measuredCover(Genus genus, float cover, float thickness, unsigned pattern) {
-    Weather const weather = weatherOf(genus, cover, thickness, pattern);
+double shareUnder(Weather const& weather) {
     CloudColumns const columns{weather, 1};
     glsl::CloudShape const shape = cloudShape(weather, 1, glm::dvec2{0.0});
     int const n = 60;
@@ -42,10 +41,12 @@ double measuredCover(Genus genus, float cover, float thickness, unsigned pattern
         for (int x = 0; x < n; ++x) {
             double const east = (x + 0.5) * 2000.0 - 60000.0, north = (y + 0.5) * 2000.0 - 60000.0;
             glm::vec2 const place{static_cast<float>(east), static_cast<float>(-north)};
-            covered += columnDepth(columns.at(east, north), shape, place, noise()) > coverDepth(genus);
+            covered += columnDepth(columns.at(east, north), shape, place, noise()) > coverDepth(weather.layers[0].genus);
         }
     return static_cast<double>(covered) / (n * n);
 }
+
+double measuredCover(Genus genus, float cover, float thickness, unsigned pattern) { return shareUnder(weatherOf(genus, cover, thickness, pattern)); }
 
 TEST(CloudPattern, EveryRankIsAsLikelyAsAnyOther) {
     for (int genus = 0; genus < kGenera; ++genus)
@@ -139,7 +140,7 @@ TEST(CloudColumn, DensityNeverFallsAsTheCoverRises) {
             glm::vec3 const p{static_cast<float>(i) * 313.0f, 1030.0f + static_cast<float>(i % 30) * 32.0f, static_cast<float>(i) * 171.0f};
             float before = 0.0f;
             for (float cover = 0.30f; cover < 0.70f; cover += 0.01f) {
-                glsl::LayerColumn const column{0.45f, cover, 1000.0f, 2000.0f, 5e-4f};
+                glsl::LayerColumn const column{0.45f, cover, 1000.0f, 2000.0f, 5e-4f, 0.45f};
                 float const now = glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(),
                                                     noise().curl.sampler(), 0.0f).extinction;
                 EXPECT_GE(now, before - 2e-3f) << genusName(genus);
@@ -182,6 +183,57 @@ TEST(Anvil, IsThinIceThatSpreadsOverItsTowersUnderTheTropopause) {
         EXPECT_LT(anvil.extinction, 0.4 * tower.extinction) << cover;
     }
     EXPECT_NEAR(levelOf(weatherOf(Genus::Cb, 0.3f, 1500.0f), 0.91f).share, 0.0, 0.1) << "a low cumulonimbus is bald";
+}
+
+/// Extinction of the first layer, 1/m.
+double extinctionAt(CloudColumns const& columns, glsl::LayerShape const& shape, double east, double north, float height) {
+    glsl::LayerColumn const column = columns.at(east, north).layers[0];
+    glm::vec3 const p{static_cast<float>(east), column.base + height * (column.top - column.base), static_cast<float>(-north)};
+    return static_cast<double>(glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(), noise().curl.sampler(), 0.0f).extinction);
+}
+
+TEST(Anvil, LiesOverItsTowersAndFarDownwindOfThemWhereverTheWindBlows) {
+    for (glm::dvec2 const& wind : {glm::dvec2{0.0, 0.0}, glm::dvec2{9.0, 0.0}, glm::dvec2{-3.0, 6.0}, glm::dvec2{0.0, -25.0}}) {
+        Weather weather = weatherOf(Genus::Cb, 0.25f, 9000.0f);
+        weather.layers[0].wind = wind;
+        CloudColumns const columns{weather, 1};
+        glsl::LayerShape const shape = cloudShape(weather, 1, glm::dvec2{0.0}).layers[0];
+        glm::dvec2 const way = glm::length(wind) > 0.0 ? glm::normalize(wind) : glm::dvec2{1.0, 0.0};
+        int towers = 0, over = 0, ahead = 0, behind = 0;
+        for (int i = 0; i < 10000; ++i) {
+            double const east = i % 100 * 1130.0, north = i / 100 * 1130.0;
+            if (extinctionAt(columns, shape, east, north, 0.5f) < 0.02) continue;
+            ++towers;
+            auto const ice = [&](double metres) { return extinctionAt(columns, shape, east + metres * way.x, north + metres * way.y, 0.9f) > 0.001; };
+            over += ice(0.0);
+            ahead += ice(5000.0);
+            behind += ice(-5000.0);
+        }
+        ASSERT_GT(towers, 100);
+        EXPECT_GT(over, 0.95 * towers) << wind.x << " " << wind.y;
+        EXPECT_GT(ahead, 0.75 * towers) << wind.x << " " << wind.y;
+        EXPECT_LT(behind, 0.4 * ahead) << wind.x << " " << wind.y;
+    }
+}
+
+TEST(Anvil, DoesNotTouchTheCoverWhateverTheWind) {
+    for (glm::dvec2 const& wind : {glm::dvec2{0.0, 0.0}, glm::dvec2{-20.0, 5.0}})
+        for (float cover : {0.1f, 0.25f, 0.5f, 0.75f}) {
+            for (float thickness : {2100.0f, 9000.0f}) {
+                Weather weather = weatherOf(Genus::Cb, cover, thickness, 11u);
+                weather.layers[0].wind = wind;
+                EXPECT_NEAR(shareUnder(weather), cover, 0.03) << cover << " " << wind.x << " " << thickness;
+            }
+        }
+}
+
+TEST(Tower, IsWiderBelowThanAbove) {
+    for (float cover : {0.15f, 0.3f, 0.6f}) {
+        Weather const weather = weatherOf(Genus::Cb, cover, 10000.0f);
+        double const foot = levelOf(weather, 0.1f).share, middle = levelOf(weather, 0.45f).share;
+        EXPECT_GT(foot, 1.2 * middle) << cover;
+        EXPECT_GT(middle, 0.25 * foot) << cover;
+    }
 }
 
 TEST(Anvil, IsStreakedAlongItsWindAndTurnsWithItWithoutAStep) {
