@@ -75,6 +75,7 @@ struct Puff {
 struct Windscreen {
     glm::dquat worldFromBody{1.0, 0.0, 0.0, 0.0};  // x ahead, y up, z right
     double airspeed_mps = 0.0;                     // that drives the drops
+    glm::vec3 cabin{0.0f};                         // m from the eye: ahead, up or down, and aside; what is nearer stands before the glass
 };
 
 /// The debug views (F2, F3).

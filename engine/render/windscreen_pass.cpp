@@ -32,6 +32,7 @@ void WindscreenPass::draw(FrameContext const& context) {
     if (wet_ < kLeast) return;
     program_.use();
     program_.set("bodyFromWorld", glm::mat3{glm::mat3_cast(glm::conjugate(glass.worldFromBody))});
+    program_.set("cabin", glass.cabin);
     program_.set("water", glm::vec4{glm::dvec4{wet_, slid_, std::fmod(snapshot.simulationSeconds, kTimeWrap)}});
     context.targets.depth.bind(0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);

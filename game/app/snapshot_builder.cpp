@@ -13,6 +13,7 @@
 namespace luftpost::app {
 namespace {
 constexpr double kDiscFromRpm = 500.0;  // above, the eye sees a disc and no blades
+constexpr glm::vec3 kCabin{1.02f, 0.9f, 0.75f};  // m from the eye: the models' forepart, to the firewall
 constexpr double kStandUp = 0.37;       // m from a parcel's middle to its foot
 
 glm::quat about(glm::vec3 const& axis, double angle) {
@@ -230,7 +231,7 @@ render::Snapshot snapshotOf(Simulation const& simulation, GameModels const& mode
     snapshot.hasAircraft = true;
     if (view.inside)
         snapshot.windscreen = render::Windscreen{snapshot.models.front().worldFromModel,
-                                                 simulation.aircraft().state().readings.cas};
+                                                 simulation.aircraft().state().readings.cas, kCabin};
     addParcels(simulation, models, view, snapshot.models);
     addAirfield(simulation, models, view.utc, snapshot.models);
     addDropZone(simulation, models, view.utc, snapshot);
