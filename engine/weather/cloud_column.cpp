@@ -33,7 +33,7 @@ constexpr std::array<Form, kGenera> kForms{{
     /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.0f, 0.75, false, 0.0, 0.0},
     /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
     /* Cu */ {0.50f, 0.0f, 300.0f, 140.0f, 20.0f, 0.05f, 0.45f, 1100.0f, 0.0f, 1.0, false, 0.0, 0.0},
-    /* Cb */ {0.50f, 0.0f, 850.0f, 110.0f, 50.0f, 0.0f, 0.18f, 6500.0f, 0.45f, 1.5, false, 0.0, 0.0},
+    /* Cb */ {0.50f, 0.0f, 850.0f, 110.0f, 50.0f, 0.0f, 0.18f, 4000.0f, 0.45f, 1.5, false, 0.0, 0.0},
     /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }

@@ -32,7 +32,7 @@ constexpr std::array<Plan, kGenera> kPlans{{
     /* Sc */ {3000, 650, {{{6000, 4200, 0.75, false}, {2300, 1350, 0.9, true}, {900, 650, 0.35, false}, {380, 300, 0.18, false}}}, true},
     /* St */ {4000, 800, {{{6500, 5000, 1.0, false}, {2700, 2200, 0.5, false}, {1100, 950, 0.3, false}, {480, 420, 0.16, false}}}, true},
     /* Cu */ {1500, 420, {{{4800, 4800, 0.55, false}, {1900, 1900, 1.0, true}, {850, 850, 0.42, false}, {370, 370, 0.2, false}}}, false},
-    /* Cb */ {6000, 1200, {{{13000, 13000, 1.0, true}, {7000, 7000, 0.13, false}, {3000, 3000, 0.05, false}, {1400, 1400, 0.02, false}}}, false},
+    /* Cb */ {3700, 740, {{{8000, 8000, 1.0, true}, {4300, 4300, 0.13, false}, {1850, 1850, 0.05, false}, {860, 860, 0.02, false}}}, false},
     /* fog */ {4000, 800, {{{6500, 5000, 1.0, false}, {2700, 2200, 0.5, false}, {1100, 950, 0.3, false}, {480, 420, 0.16, false}}}, true},
 }};
 constexpr double kCoarsest = 3000.0;       // m, the finest element that the coarse rank knows

@@ -12,7 +12,7 @@ constexpr double kMostAt = 80.0;                    // m above ground: the stron
 constexpr double kOutflow = kMostAt / 0.22;         // z*, m
 constexpr double kFriction = kMostAt / 2.75;        // e, m
 constexpr double kPeak = 0.7386;                    // of exp(-z/z*) - exp(-z/e), at 80 m
-constexpr double kSpread = 50000.0;                 // K, m2/s
+constexpr double kSpread = 30000.0;                 // K, m2/s
 constexpr double kStrongest = 25.0, kDown = 15.0;   // m/s
 constexpr double kFade = 2500.0;                    // m above the base: where the downdraught begins
 constexpr double kGusty = 0.15;                     // of the outflow, rms

@@ -192,6 +192,8 @@ double extinctionAt(CloudColumns const& columns, glsl::LayerShape const& shape, 
     return static_cast<double>(glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(), noise().curl.sampler(), 0.0f).extinction);
 }
 
+constexpr double kAway = 3000.0;  // m, of storms in cells of 8 km
+
 TEST(Anvil, LiesOverItsTowersAndFarDownwindOfThemWhereverTheWindBlows) {
     for (glm::dvec2 const& wind : {glm::dvec2{0.0, 0.0}, glm::dvec2{9.0, 0.0}, glm::dvec2{-3.0, 6.0}, glm::dvec2{0.0, -25.0}}) {
         Weather weather = weatherOf(Genus::Cb, 0.25f, 9000.0f);
@@ -206,8 +208,8 @@ TEST(Anvil, LiesOverItsTowersAndFarDownwindOfThemWhereverTheWindBlows) {
             ++towers;
             auto const ice = [&](double metres) { return extinctionAt(columns, shape, east + metres * way.x, north + metres * way.y, 0.9f) > 0.001; };
             over += ice(0.0);
-            ahead += ice(5000.0);
-            behind += ice(-5000.0);
+            ahead += ice(kAway);
+            behind += ice(-kAway);
         }
         ASSERT_GT(towers, 100);
         EXPECT_GT(over, 0.95 * towers) << wind.x << " " << wind.y;
