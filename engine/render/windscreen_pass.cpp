@@ -26,9 +26,11 @@ void WindscreenPass::draw(FrameContext const& context) {
     double const becomes = std::clamp(std::sqrt(snapshot.air.rain / kWholeRate), 0.0, 1.0);
     double const seconds = becomes > wet_ ? kWets : kDries;
     wet_ = snapshot.still ? becomes : wet_ + (becomes - wet_) * (1.0 - std::exp(-snapshot.frameSeconds / seconds));
-    double const air = glass.airspeed_mps - kHolds;
-    slid_.x = std::fmod(slid_.x + kDrift * air * snapshot.frameSeconds, kWrap);
-    slid_.y = std::fmod(slid_.y + kDrift * std::max(air, 0.0) * snapshot.frameSeconds, kWrap);
+    if (!snapshot.still) {  // the tiles of a still show the same drops
+        double const air = glass.airspeed_mps - kHolds;
+        slid_.x = std::fmod(slid_.x + kDrift * air * snapshot.frameSeconds, kWrap);
+        slid_.y = std::fmod(slid_.y + kDrift * std::max(air, 0.0) * snapshot.frameSeconds, kWrap);
+    }
     if (wet_ < kLeast) return;
     program_.use();
     program_.set("bodyFromWorld", glm::mat3{glm::mat3_cast(glm::conjugate(glass.worldFromBody))});

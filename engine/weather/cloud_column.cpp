@@ -41,7 +41,6 @@ Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]
 constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
 constexpr float kBald = 2000.0f;                      // m: the top of a storm that is no thicker is no ice that spreads
-constexpr float kMostAnvil = 0.45f;       // cover, from which on no more of it is anvil (lib/cloud's anvilReach)
 constexpr double kAnvilLead = 0.8, kAnvilLength = 1.4;  // by how much of the way between rim and foot, and of the rim's own, it is carried
 constexpr float kAnvilWeaker = 0.4f;      // of the cover: what it loses in rank on that way
 constexpr double kAnvilWesterly = 0.3;     // m/s, added to the wind that carries it: a calm has no direction
@@ -140,7 +139,7 @@ glm::vec4 anvilWay(Layer const& layer, CloudSettings const& settings) {
     double const speed = glm::length(wind);
     if (!(speed > 0.0)) return {0.0f, 0.0f, 1.0f, kAnvilWeaker * cover};
     // All of it lies so far downwind that it ends little upwind of the tower's foot, and its far half that far again.
-    double const rim = std::sqrt(static_cast<double>(cover)), foot = std::sqrt(static_cast<double>(cover - anvil * std::min(cover, kMostAnvil)));
+    double const rim = std::sqrt(static_cast<double>(cover)), foot = std::sqrt(static_cast<double>(cover - anvil * std::min(cover, glsl::kMostAnvil)));
     double const all = kAnvilLead * (rim - foot), far = all + kAnvilLength * rim;
     double const metres = static_cast<double>(formOf(layer.genus).reach * settings.weatherScale);
     glm::dvec2 const way = wind * (metres * far / speed);

@@ -75,8 +75,10 @@ GLSL_FUNCTION float layerMargin(LayerColumn c, LayerShape s, float fray) {
     return c.cover - c.rank + fray * s.look.y * frayWindow(c.cover);
 }
 
+GLSL_CONST float kMostAnvil = 0.45f;  // cover, from which on no more of it is anvil
+
 // By how much of the rank an anvil reaches beyond its towers; the wider its layer's cover, the less of it.
-GLSL_FUNCTION float anvilReach(float cover, LayerShape s) { return s.body.z * clamp(cover, 0.0f, 0.45f); }
+GLSL_FUNCTION float anvilReach(float cover, LayerShape s) { return s.body.z * clamp(cover, 0.0f, kMostAnvil); }
 
 GLSL_CONST float kTowerTaper = 0.7f;  // of a tower's foot in rank, what it has lost at its top
 
@@ -84,7 +86,7 @@ GLSL_CONST float kTowerTaper = 0.7f;  // of a tower's foot in rank, what it has 
 GLSL_FUNCTION float towerCover(float cover, LayerShape s) { return cover - anvilReach(cover, s); }
 
 // By how much of the rank the streaks of an anvil reach beyond its mean outline.
-GLSL_FUNCTION float anvilFray(float cover) { return 0.35f * clamp(cover, 0.0f, 0.45f) * frayWindow(cover); }
+GLSL_FUNCTION float anvilFray(float cover) { return 0.35f * clamp(cover, 0.0f, kMostAnvil) * frayWindow(cover); }
 
 // The margin at which a tower reaches its full height: where there are few, each still does.
 GLSL_FUNCTION float towerWidth(float cover, LayerShape s) {
