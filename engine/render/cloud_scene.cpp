@@ -19,8 +19,10 @@ constexpr float kShortestStep = 26.0f;  // m
 constexpr float kStepPerDistance = 0.014f;
 constexpr float kReach = 390'000.0f;    // m: the horizon of 12 km
 
-gl::Texture3D volumeTexture(weather::NoiseVolume const& volume, std::string_view label) {
-    gl::Texture3D texture{gl::Format::rgba8, volume.size(), volume.levelCount(), label};
+/// A volume, or the plane of one that is a texel high.
+template <class Texture, class Size>
+Texture noiseTexture(weather::NoiseVolume const& volume, std::string_view label) {
+    Texture texture{gl::Format::rgba8, Size{volume.size()}, volume.levelCount(), label};
     for (int level = 0; level < volume.levelCount(); ++level)
         texture.upload(std::span<std::uint8_t const>{volume.texels(level)}, level);
     return texture;
@@ -41,27 +43,25 @@ CloudScene::CloudScene(gl::ProgramLibrary& programs)
 
 void CloudScene::loadVolumes() {
     weather::NoiseVolumes const noise = weather::loadNoise(platform::dataFile("generated/noise_shape.bin").parent_path());
-    shape_ = volumeTexture(noise.shape, "cloud shape noise");
-    detail_ = volumeTexture(noise.detail, "cloud detail noise");
-    curl_ = volumeTexture(noise.curl, "cloud curl noise");
+    shape_ = noiseTexture<gl::Texture3D, glm::ivec3>(noise.shape, "cloud shape noise");
+    detail_ = noiseTexture<gl::Texture3D, glm::ivec3>(noise.detail, "cloud detail noise");
+    curl_ = noiseTexture<gl::Texture2D, glm::ivec2>(noise.curl, "cloud curl noise");
     noiseSeed_ = static_cast<int>(weather::kNoiseSeed);
 }
 
 void CloudScene::remakeVolumes(unsigned seed) {
-    struct Volume {
-        char const* program;
-        gl::Texture3D& texture;
-    };
-    for (Volume const& volume : {Volume{"noise_shape", shape_}, Volume{"noise_detail", detail_}, Volume{"noise_curl", curl_}}) {
-        gl::Program const& program = programs_.compute(volume.program);
+    auto const remake = [&](char const* name, gl::Texture& texture, glm::ivec3 const& size) {
+        gl::Program const& program = programs_.compute(name);
         program.use();
         program.set("seed", seed);
-        volume.texture.bindImage(0, gl::Access::write);
-        glm::ivec3 const size = volume.texture.size();
+        texture.bindImage(0, gl::Access::write);
         gl::dispatch({size.x / 8, size.y / 8, size.z});
         gl::barrier(gl::Barrier::all);
-        volume.texture.generateMipmaps();
-    }
+        texture.generateMipmaps();
+    };
+    remake("noise_shape", shape_, shape_.size());
+    remake("noise_detail", detail_, detail_.size());
+    remake("noise_curl", curl_, {curl_.size(), 1});
     noiseSeed_ = static_cast<int>(seed);
 }
 

@@ -58,7 +58,8 @@ private:
     void fillMarch(Snapshot const& snapshot, std::uint64_t frameNumber);
 
     gl::ProgramLibrary& programs_;
-    gl::Texture3D shape_, detail_, curl_;
+    gl::Texture3D shape_, detail_;
+    gl::Texture2D curl_;
     gl::Texture2DArray map_;
     gl::Sampler repeat_, clamp_;
     gl::Buffer buffer_;

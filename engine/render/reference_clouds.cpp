@@ -175,7 +175,7 @@ ReferenceClouds::Extinction ReferenceClouds::at(glm::dvec3 const& place) const {
         if (place.y <= static_cast<double>(field.low.y) || place.y >= static_cast<double>(field.high.z)) continue;
         glsl::LayerShape const& shape = shape_.layers[layer];
         float const extinction = glsl::layerSample(p, columnAt(layer, place), shape, noise_.shape.sampler(),
-                                                   noise_.detail.sampler(), noise_.curl.sampler(), 0.0f).extinction;
+                                                   noise_.detail.sampler(), noise_.curl.plane(), 0.0f).extinction;
         (shape.look.z > 0.5f ? sum.ice : sum.droplets) += extinction;
     }
     return sum;

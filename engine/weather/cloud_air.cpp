@@ -108,7 +108,7 @@ void addDroplets(LayerAir const& l, glsl::LayerShape const& form) {
     }
     NoiseVolumes const& noise = *l.from.noise;
     double const extinction = static_cast<double>(glsl::layerSample(glm::vec3{l.at.positionWorld}, column, form, noise.shape.sampler(),
-                                                                    noise.detail.sampler(), noise.curl.sampler(), 0.0f).extinction);
+                                                                    noise.detail.sampler(), noise.curl.plane(), 0.0f).extinction);
     l.effect.extinction += extinction;
     double const supercooled = liquidShare(l.at.temperature) * freezing(l.at.temperature);
     if (!genusRow(l.layer.genus).ice) l.effect.icing += extinction / static_cast<double>(form.look.w) * supercooled;

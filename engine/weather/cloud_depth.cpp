@@ -13,14 +13,14 @@ float layerDepth(glsl::LayerColumn const& c, glsl::LayerShape const& shape, glm:
                  NoiseVolumes const& noise) {
     if (shape.extent.z < 0.5f || std::max(c.cover - c.rank + shape.look.y, shape.body.z > 0.0f ? c.cover - c.anvil + glsl::anvilFray(c.cover) : -1.0f) <= 0.0f) return 0.0f;
     glm::vec3 p{place.x, 0.0f, place.y};
-    if (shape.look.z > 0.5f) return glsl::sheetDepth(p, c, shape, noise.curl.sampler(), 0.0f);
+    if (shape.look.z > 0.5f) return glsl::sheetDepth(p, c, shape, noise.curl.plane(), 0.0f);
     float const thickness = c.top - c.base;
     int const steps = std::clamp(static_cast<int>(thickness / kStep) + 1, 8, 64);
     float const step = thickness / static_cast<float>(steps);
     float sum = 0.0f;
     for (int i = 0; i < steps; ++i) {
         p.y = c.base + step * (static_cast<float>(i) + 0.5f);
-        sum += step * glsl::layerSample(p, c, shape, noise.shape.sampler(), noise.detail.sampler(), noise.curl.sampler(), 0.0f).extinction;
+        sum += step * glsl::layerSample(p, c, shape, noise.shape.sampler(), noise.detail.sampler(), noise.curl.plane(), 0.0f).extinction;
     }
     return sum;
 }

@@ -23,6 +23,7 @@ public:
     int levelCount() const { return static_cast<int>(levels_.size()); }
     std::vector<std::uint8_t> const& texels(int level) const { return texels_[static_cast<std::size_t>(level)]; }
     glsl::sampler3D sampler() const { return {levels_.data(), levelCount()}; }
+    glsl::planeSampler plane() const { return {levels_.data(), levelCount()}; }  // of a volume one texel high
 
 private:
     std::vector<std::vector<std::uint8_t>> texels_;

@@ -61,9 +61,9 @@ GLSL_FUNCTION CloudSample noCloud() {
 }
 
 // Curl and fray of the plane: signed, about -1..1.
-GLSL_FUNCTION vec4 planeNoise(sampler3D curl, LayerShape s, vec3 p, float lod) {
+GLSL_FUNCTION vec4 planeNoise(planeSampler curl, LayerShape s, vec3 p, float lod) {
     float scale = s.anchor.w * (kShapePeriod / kCurlPeriod);
-    vec4 v = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), lod);
+    vec4 v = textureLod(curl, vec2((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale), lod);
     return v * 2.0f - vec4(1.0f);
 }
 
@@ -101,14 +101,14 @@ GLSL_FUNCTION float riseAt(float margin, float width, LayerShape s) {
 }
 
 // Optical depth, straight down, of a sheet of fibres.
-GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, sampler3D curl, float lod) {
+GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, planeSampler curl, float lod) {
     float x = p.x + s.anchor.x;
     float z = p.z + s.anchor.z;
-    vec4 bend = textureLod(curl, vec3(x * s.fibre.z * 0.31f, z * s.fibre.z * 0.31f, 0.5f), lod) * 2.0f - vec4(1.0f);
+    vec4 bend = textureLod(curl, vec2(x * s.fibre.z * 0.31f, z * s.fibre.z * 0.31f), lod) * 2.0f - vec4(1.0f);
     float along = (x * s.fibre.x + z * s.fibre.y) * s.fibre.z + 0.06f * bend.x;
     float across = (z * s.fibre.x - x * s.fibre.y) * s.fibre.w + 0.22f * bend.y;
-    float grain = textureLod(curl, vec3(along, across, 0.5f), lod).w * 2.0f - 1.0f;
-    float thread = textureLod(curl, vec3(along * 2.0f, across * 3.0f, 0.5f), lod + 1.5f).z * 2.0f - 1.0f;
+    float grain = textureLod(curl, vec2(along, across), lod).w * 2.0f - 1.0f;
+    float thread = textureLod(curl, vec2(along * 2.0f, across * 3.0f), lod + 1.5f).z * 2.0f - 1.0f;
     float margin = layerMargin(c, s, 0.5f * (grain + thread));
     if (margin <= 0.0f) return 0.0f;
     // A veil that just counts as cover, and in it strands that gather toward the middle.
@@ -144,11 +144,11 @@ GLSL_FUNCTION Envelope envelopeAt(float margin, float width, float thickness, fl
 }
 
 // Share by which the clouds of a layer stay below its top, each its own, as what is left of the height.
-GLSL_FUNCTION float heightShare(vec3 p, LayerShape s, sampler3D curl) {
+GLSL_FUNCTION float heightShare(vec3 p, LayerShape s, planeSampler curl) {
     if (s.extent.w <= 0.0f) return 1.0f;
     float scale = s.anchor.w * (kShapePeriod / 12288.0f);
     float even = hasTowers(s) ? 3.0f : 1.0f;  // what changes over less than a tower's width would furrow its walls
-    float vary = textureLod(curl, vec3((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale, 0.5f), even).w;
+    float vary = textureLod(curl, vec2((p.x + s.anchor.x) * scale, (p.z + s.anchor.z) * scale), even).w;
     return 1.0f - s.extent.w * ramp(vary, 0.7f, 0.3f);
 }
 
@@ -180,7 +180,7 @@ GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as 
 
 // A layer with a body, its anvil apart.
 GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
-                                     sampler3D curl, float lod) {
+                                     planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
@@ -268,7 +268,7 @@ GLSL_FUNCTION vec2 latticeWay(int k) {
 }
 
 // Streaks of the plane along one of them, -1..1: about 2 km long, and 200 m and 70 m wide.
-GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, sampler3D curl, float lod) {
+GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, planeSampler curl, float lod) {
     vec2 way = latticeWay(k);
     float unit = s.anchor.w * (1.0f / 3.0f);  // 1/m: the anchor repeats after three periods of the shape
     float x = (p.x + s.anchor.x) * unit;
@@ -276,14 +276,14 @@ GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, sampler3D curl, fl
     float along = x * way.x + z * way.y;
     float across = z * way.x - x * way.y;
     float narrow = floor(12.0f / length(way) + 0.5f);
-    vec4 bend = textureLod(curl, vec3(x, z, 0.25f), max(lod, 2.0f)) * 2.0f - vec4(1.0f);
-    float broad = textureLod(curl, vec3(along, across * narrow + 0.04f * bend.y, 0.5f), lod).w;
-    float fine = textureLod(curl, vec3(along * 2.0f, across * narrow * 3.0f + 0.06f * bend.x, 0.75f), lod + 1.0f).z;
+    vec4 bend = textureLod(curl, vec2(x, z), max(lod, 2.0f)) * 2.0f - vec4(1.0f);
+    float broad = textureLod(curl, vec2(along, across * narrow + 0.04f * bend.y), lod).w;
+    float fine = textureLod(curl, vec2(along * 2.0f, across * narrow * 3.0f + 0.06f * bend.x), lod + 1.0f).z;
     return 1.2f * broad + 0.8f * fine - 1.0f;
 }
 
 // Streaks along the layer's wind: between two ways of the lattice they pass over from the one to the other.
-GLSL_FUNCTION float anvilStreaks(vec3 p, LayerShape s, sampler3D curl, float lod) {
+GLSL_FUNCTION float anvilStreaks(vec3 p, LayerShape s, planeSampler curl, float lod) {
     int k = int(floor(s.body.w));
     float next = smoothstep(0.35f, 0.65f, s.body.w - float(k));
     float streaks = next < 1.0f ? (1.0f - next) * streaksAlong(p, k, s, curl, lod) : 0.0f;
@@ -300,7 +300,7 @@ GLSL_FUNCTION float anvilShare(float rank, float cover, LayerShape s) {
     return (rim - sqrt(max(rank, 0.0f))) / max(rim - sqrt(max(towerCover(cover, s), 0.0f)), 1e-3f);
 }
 
-GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D curl, float lod) {
+GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
@@ -357,7 +357,7 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
 // A layer with a body at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
 // at lod n faces are blurred as what is 32 m 2^n wide sees them.
 GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
-                                      sampler3D curl, float lod) {
+                                      planeSampler curl, float lod) {
     float share = (p.y - c.base) / (c.top - c.base);
     if (share <= 0.0f || share >= 1.0f) return noCloud();
     CloudSample result = bodySample(p, c, s, shape, detail, curl, lod);
@@ -367,7 +367,7 @@ GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampl
 
 // Any layer at one point, sheets of fibres too.
 GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
-                                      sampler3D curl, float lod) {
+                                      planeSampler curl, float lod) {
     if (s.look.z <= 0.5f) return solidSample(p, c, s, shape, detail, curl, lod);
     CloudSample result = noCloud();
     float thickness = c.top - c.base;
@@ -407,7 +407,7 @@ GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
 }
 
 // Extinction of all the clouds at a point, 1/m.
-GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, sampler3D shape, sampler3D detail, sampler3D curl,
+GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, sampler3D shape, sampler3D detail, planeSampler curl,
                             float lod) {
     float sum = 0.0f;
     for (int i = 0; i < kCloudLayers; ++i)

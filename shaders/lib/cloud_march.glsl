@@ -139,25 +139,37 @@ MarchResult merged(MarchResult near, MarchResult far) {
     return result;
 }
 
-/// The part of a sheet between two altitudes, crossed half way between them.
+/// The part of a sheet between two altitudes, wherever the ray crosses the middle between them.
 MarchResult withPart(MarchResult ray, int layer, vec2 altitudes, float share, vec3 direction, float end, KeyLight key) {
-    if (share <= 0.0) return ray;
     vec2 cross = crossings(frame.cameraWorld.y, direction.y, 0.5 * (altitudes.x + altitudes.y));
-    for (int k = 0; k < 2; ++k)
-        if (cross[k] > 0.0 && cross[k] < end) ray = merged(ray, sheetAt(layer, direction, cross[k], share, key));
+    int left = (cross.x > 0.0 && cross.x < end ? 1 : 0) | (cross.y > 0.0 && cross.y < end ? 2 : 0);
+    if (left != 0) do {
+        ray = merged(ray, sheetAt(layer, direction, cross[findLSB(left)], share, key));
+        left &= left - 1;
+    } while (left != 0);
     return ray;
 }
 
-/// From within a layer its fibres lie above and below, most in its middle: 6 s (1 - s), as layerSample has it.
+/// From within a layer its fibres lie above and below, most in its middle: 6 s (1 - s), as layerSample has it. Two bits a layer say
+/// which of its parts there are: the same for every ray.
 MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key) {
+    int parts = 0;
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         vec4 extent = clouds.shapes[layer].extent;
-        if (extent.z < 0.5 || clouds.shapes[layer].look.z < 0.5) continue;
+        bool sheet = extent.z > 0.5 && clouds.shapes[layer].look.z > 0.5;
+        parts |= sheet && frame.cameraWorld.y < extent.y ? 1 << 2 * layer : 0;
+        parts |= sheet && frame.cameraWorld.y > extent.x ? 2 << 2 * layer : 0;
+    }
+    if (parts != 0) do {
+        int part = findLSB(parts);
+        int layer = part / 2;
+        vec4 extent = clouds.shapes[layer].extent;
         float eye = clamp(frame.cameraWorld.y, extent.x, extent.y);
         float below = smoothstep(extent.x, extent.y, eye);
-        ray = withPart(ray, layer, vec2(eye, extent.y), 1.0 - below, direction, end, key);
-        ray = withPart(ray, layer, vec2(extent.x, eye), below, direction, end, key);
-    }
+        bool upper = part % 2 == 0;
+        ray = withPart(ray, layer, upper ? vec2(eye, extent.y) : vec2(extent.x, eye), upper ? 1.0 - below : below, direction, end, key);
+        parts &= parts - 1;
+    } while (parts != 0);
     return ray;
 }
 

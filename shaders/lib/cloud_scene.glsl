@@ -10,7 +10,7 @@
 layout(binding = 10) uniform sampler2DArray cloudMap;    // ranks, [level * 4 + layer]
 layout(binding = 11) uniform sampler3D cloudShapeNoise;
 layout(binding = 12) uniform sampler3D cloudDetailNoise;
-layout(binding = 13) uniform sampler3D cloudCurlNoise;
+layout(binding = 13) uniform planeSampler cloudCurlNoise;
 layout(binding = 16) uniform sampler3D cloudDepthGrid;   // optical depth toward the light, two grids of slices one upon the other
 
 const float kDeepest = 1000.0;        // optical depth toward a light that counts as all: more than a cumulonimbus has

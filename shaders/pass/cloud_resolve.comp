@@ -3,6 +3,7 @@
 // own distance and drift. Pixels that no ray is found for ask for one.
 #include "shaders/lib/cloud_rays.glsl"
 #include "shaders/lib/cloud_store.glsl"
+#include "shaders/lib/groups.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depthTarget;
 layout(binding = 1) uniform sampler2D oldLight;
@@ -13,7 +14,8 @@ layout(binding = 1, rgba16f) uniform writeonly image2D newFacts;
 uniform float historyValid;    // 0: there is none
 uniform float exposureRatio;   // preExposure now / then
 
-const float kFar = 0.8;  // pixels: a ray that went through farther from the centre does not stand for the pixel
+const float kNear = 0.25;  // pixels: a ray that went through nearer to the centre is as good as any
+const float kFar = 0.8;  // pixels: one that went through farther from the centre does not stand for the pixel
 
 /// How far the clouds at altitude `y` have drifted since the frame before.
 vec3 driftedAt(float y) {
@@ -34,31 +36,34 @@ vec2 pixelBefore(Before before, float distance) {
     return clip.w > 0.0 ? (clip.xy / clip.w * 0.5 + 0.5) * vec2(textureSize(oldFacts, 0)) : vec2(-1.0e4);
 }
 
-/// The old ray nearest to where the pixel was, each taken by its own distance; its texel, x below 0 when there is none.
+/// The old ray nearest to where the pixel was, each taken by its own distance; its texel, x below 0 when there is none. The texel
+/// into which it fell comes first: at rest it is the pixel's own, and the others need not be asked.
 ivec2 nearestRay(Before before, vec2 around, float land, out CloudFacts found) {
     ivec2 size = textureSize(oldFacts, 0);
     vec2 larger = frame.viewport.xy / vec2(size);
     ivec2 corner = ivec2(floor(around - 0.5));
+    ivec2 first = ivec2(floor(around)) - corner;
     ivec2 best = ivec2(-1);
     float nearest = 1.0e9;
-    for (int k = 0; k < 4; ++k) {
-        ivec2 texel = corner + ivec2(k & 1, k >> 1);
-        if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
-        CloudFacts facts = unpackedFacts(texelFetch(oldFacts, texel, 0));
-        bool guess = isGuess(facts);
-        vec2 offset = (vec2(texel) + 0.5 + facts.offset - pixelBefore(before, facts.distance)) * larger;
-        if (guess) offset = vec2(kGuess);
+    int k = 0;
+    do {
+        ivec2 texel = corner + (ivec2(k & 1, k >> 1) ^ first);
+        bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, size));
+        CloudFacts facts = unpackedFacts(texelFetch(oldFacts, clamp(texel, ivec2(0), size - 1), 0));
+        vec2 offset = isGuess(facts) ? vec2(kGuess) : (vec2(texel) + 0.5 + facts.offset - pixelBefore(before, facts.distance)) * larger;
         float apart = dot(offset, offset);
-        if (apart >= nearest || !sameLand(land, facts.land)) continue;
-        nearest = apart;
-        best = texel;
-        found = CloudFacts(facts.distance, land, offset);
-    }
+        if (inside && apart < nearest && sameLand(land, facts.land)) {
+            nearest = apart;
+            best = texel;
+            found = CloudFacts(facts.distance, land, offset);
+        }
+        ++k;
+    } while (k < 4 && nearest > kNear * kNear);
     return best;
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = strewnPixel();
     ivec2 size = ivec2(frame.viewport.xy);
     if (any(greaterThanEqual(pixel, size))) return;
     ivec2 block = pixel / clouds.march.w;
@@ -73,13 +78,11 @@ void main() {
     before.from = frame.previousClipFromWorld * vec4(-driftedAt(direction.y * guess + frame.cameraWorld.y), 1.0);
     CloudFacts found;
     ivec2 texel = historyValid > 0.5 ? nearestRay(before, pixelBefore(before, guess), land, found) : ivec2(-1);
-    if (texel.x < 0) {
-        imageStore(newLight, pixel, vec4(0.0, 0.0, 0.0, 1.0));
-        imageStore(newFacts, pixel, packedFacts(CloudFacts(guess, land, vec2(kGuess))));
-    } else {
-        vec4 light = texelFetch(oldLight, texel, 0);
-        imageStore(newLight, pixel, vec4(light.rgb * exposureRatio, light.a));
-        imageStore(newFacts, pixel, packedFacts(found));
-    }
-    if (texel.x < 0 || dot(found.offset, found.offset) > kFar * kFar) askRay(pixel);
+    // Software GL takes both ways of a branch: one pair of stores, whatever was found.
+    bool known = texel.x >= 0;
+    if (!known) found = CloudFacts(guess, land, vec2(kGuess));
+    vec4 light = texelFetch(oldLight, max(texel, ivec2(0)), 0);
+    imageStore(newLight, pixel, known ? vec4(light.rgb * exposureRatio, light.a) : vec4(0.0, 0.0, 0.0, 1.0));
+    imageStore(newFacts, pixel, packedFacts(found));
+    if (dot(found.offset, found.offset) > kFar * kFar) askRay(pixel);
 }

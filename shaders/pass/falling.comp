@@ -2,6 +2,7 @@
 // Shafts of rain and snow along one ray of every `block` x `block` pixels: they have no fine edges but those of what stands before them.
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/cloud_store.glsl"
+#include "shaders/lib/groups.glsl"
 #include "shaders/lib/weather_light.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D depthTarget;
@@ -13,7 +14,7 @@ uniform int block;
 uniform int samples;
 
 void main() {
-    ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 place = strewnPixel();
     if (any(greaterThanEqual(place, imageSize(lightTarget)))) return;
     ivec2 pixel = min(place * block + block / 2, ivec2(frame.viewport.xy) - 1);
     vec2 centre = vec2(pixel) + 0.5;

@@ -1,5 +1,6 @@
 // In C++ a sampler3D is a view of 8-bit RGBA volumes that somebody else owns (weather/noise_volume.h), read as GLSL
-// reads a texture with linear filtering, the nearest mipmap and repetition. In GLSL it is the built-in one.
+// reads a texture with linear filtering, the nearest mipmap and repetition; a planeSampler is the same of volumes one texel
+// high. In GLSL they are the built-in ones.
 #ifndef LUFTPOST_SAMPLER3D_GLSL_H
 #define LUFTPOST_SAMPLER3D_GLSL_H
 #include "shaders/shared/language.glsl.h"
@@ -63,10 +64,36 @@ inline vec4 volumeLinear(VolumeLevel const& level, vec3 const& unit) {
     return channelsOf(between(between(row(y0, z0), row(y1, z0), f.y), between(row(y0, z1), row(y1, z1), f.y), f.z));
 }
 
+struct planeSampler {
+    VolumeLevel const* levels = nullptr;
+    int levelCount = 0;
+};
+
+/// Four texels of one level, weighted; values 0..255.
+inline vec4 planeLinear(VolumeLevel const& level, vec2 const& unit) {
+    vec2 const p = unit * vec2{ivec2{level.size}} - 0.5f;
+    vec2 const corner = floor(p);
+    vec2 const f = p - corner;
+    int const x0 = static_cast<int>(corner.x) & (level.size.x - 1), x1 = (x0 + 1) & (level.size.x - 1);
+    int const y0 = static_cast<int>(corner.y) & (level.size.y - 1), y1 = (y0 + 1) & (level.size.y - 1);
+    auto const row = [&](int y) { return between(texelAt(volumeTexel(level, x0, y, 0)), texelAt(volumeTexel(level, x1, y, 0)), f.x); };
+    return channelsOf(between(row(y0), row(y1), f.y));
+}
+
+/// The nearest of a volume's levels.
+inline VolumeLevel const& nearestLevel(VolumeLevel const* levels, int count, float lod) {
+    return levels[static_cast<int>(clamp(lod, 0.0f, static_cast<float>(count - 1)) + 0.5f)];
+}
+
 inline vec4 textureLod(sampler3D const& volume, vec3 const& unit, float lod) {
-    int const level = static_cast<int>(clamp(lod, 0.0f, static_cast<float>(volume.levelCount - 1)) + 0.5f);
-    return volumeLinear(volume.levels[level], unit) * (1.0f / 255.0f);
+    return volumeLinear(nearestLevel(volume.levels, volume.levelCount, lod), unit) * (1.0f / 255.0f);
+}
+
+inline vec4 textureLod(planeSampler const& plane, vec2 const& unit, float lod) {
+    return planeLinear(nearestLevel(plane.levels, plane.levelCount, lod), unit) * (1.0f / 255.0f);
 }
 }  // namespace luftpost::glsl
+#else
+#define planeSampler sampler2D
 #endif
 #endif

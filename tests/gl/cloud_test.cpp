@@ -19,8 +19,10 @@ namespace luftpost::test {
 namespace {
 class CloudTest : public GlTest {};
 
+/// `Texture`: Texture3D, or Texture2D for a volume one texel high, with the vector of its size.
+template <class Texture, class Size>
 void expectTwin(gl::ProgramLibrary& programs, char const* name, weather::NoiseVolume const& made, unsigned seed) {
-    gl::Texture3D texture{gl::Format::rgba8, made.size(), 1, name};
+    Texture texture{gl::Format::rgba8, Size{made.size()}, 1, name};
     gl::Program const& program = programs.compute(name);
     program.use();
     program.set("seed", seed);
@@ -37,9 +39,9 @@ void expectTwin(gl::ProgramLibrary& programs, char const* name, weather::NoiseVo
 TEST_F(CloudTest, NoiseMadeByTheGpuIsWithinOneByteOfTheBuilds) {
     gl::ProgramLibrary programs;
     weather::NoiseVolumes const made = weather::makeNoise(3, 2);
-    expectTwin(programs, "noise_shape", made.shape, 3);
-    expectTwin(programs, "noise_detail", made.detail, 3);
-    expectTwin(programs, "noise_curl", made.curl, 3);
+    expectTwin<gl::Texture3D, glm::ivec3>(programs, "noise_shape", made.shape, 3);
+    expectTwin<gl::Texture3D, glm::ivec3>(programs, "noise_detail", made.detail, 3);
+    expectTwin<gl::Texture2D, glm::ivec2>(programs, "noise_curl", made.curl, 3);
 }
 
 TEST_F(CloudTest, BlockLiesInMemoryAsTheDriverSays) {
