@@ -21,10 +21,10 @@ gl::Buffer starBuffer() {
 }  // namespace
 
 CompositePass::CompositePass(gl::ProgramLibrary& programs)
-    : program_{programs.compute("composite")}, stars_{starBuffer()} {}
+    : program_{programs.compute("composite")}, dayProgram_{programs.compute("composite", {"STARS false"})}, stars_{starBuffer()} {}
 
-void CompositePass::draw(FrameContext const& context) {
-    program_.use();
+void CompositePass::draw(FrameContext const& context, bool starsShow) {
+    (starsShow ? program_ : dayProgram_).use();
     context.targets.depth.bind(0);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     stars_.bindStorage(kStarBinding);

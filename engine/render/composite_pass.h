@@ -9,10 +9,11 @@ namespace luftpost::render {
 class CompositePass {
 public:
     explicit CompositePass(gl::ProgramLibrary& programs);
-    void draw(FrameContext const& context);
+    void draw(FrameContext const& context, bool starsShow);
 
 private:
     gl::Program const& program_;
+    gl::Program const& dayProgram_;  // without stars
     gl::Buffer stars_;
 };
 }  // namespace luftpost::render

@@ -256,7 +256,7 @@ void Renderer::Parts::drawScene(FrameContext const& context) {
     pass("model shadow", [&] { models.drawShadow(context); });
     pass("clear", [&] { clear(context.targets); });
     drawOpaque(context);
-    pass("composite", [&] { composite.draw(context); });
+    pass("composite", [&] { composite.draw(context, sky.starsShow()); });
     pass("cloud march", [&] { clouds.march(context); });
     pass("cloud resolve", [&] { clouds.resolve(context); });
     pass("cloud composite", [&] { clouds.composite(context); });

@@ -22,6 +22,7 @@ public:
     void draw(FrameContext const& context);
 
     sky::SkyLight const& light() const { return light_; }
+    bool starsShow() const { return block_.skyCamera.z > 0.0f; }
 
     /// GPU bytes of its tables.
     std::size_t bytes() const { return transmittance_.bytes() + multiple_.bytes() + view_.bytes() + aerial_.bytes() + aerialThrough_.bytes(); }

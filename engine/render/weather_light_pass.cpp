@@ -106,7 +106,7 @@ std::vector<glsl::Stroke> strokesNow(Snapshot const& snapshot) {
 }
 
 WeatherLightPass::WeatherLightPass(gl::ProgramLibrary& programs)
-    : program_{programs.compute("weather_light")}, fallingProgram_{programs.compute("falling")}, computing_{std::async(std::launch::async, phaseTexels)}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
+    : program_{programs.compute("weather_light")}, quietProgram_{programs.compute("weather_light", {"STORMY false"})}, fallingProgram_{programs.compute("falling")}, computing_{std::async(std::launch::async, phaseTexels)}, buffer_{sizeof(glsl::FallBlock), "what falls"} {}
 
 void WeatherLightPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     block_ = {};
@@ -182,8 +182,9 @@ void WeatherLightPass::draw(FrameContext const& context, CloudPass const& clouds
     phases_->bind(static_cast<unsigned>(glsl::kPhaseUnit));
     bool const falling = block_.optics.x > 0.5f;
     if (falling) drawShafts(context);
-    program_.use();
-    program_.set("block", falling ? shafts_->block : 1);
+    bool const stormy = falling || block_.optics.z > 0.5f;
+    (stormy ? program_ : quietProgram_).use();
+    if (stormy) program_.set("block", falling ? shafts_->block : 1);
     context.targets.colour.bindImage(0, gl::Access::readWrite);
     gl::dispatchOver(context.targets.size, {8, 8});
     gl::barrier(gl::Barrier::all);

@@ -42,6 +42,7 @@ private:
     void drawShafts(FrameContext const& context);
 
     gl::Program const& program_;
+    gl::Program const& quietProgram_;  // for when nothing falls or flashes
     gl::Program const& fallingProgram_;
     std::optional<Shafts> shafts_;
     std::future<std::vector<float>> computing_;

@@ -98,6 +98,14 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod
     return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
 }
 
+/// The sheets of fibres, a bit each.
+int sheetLayers() {
+    int bits = 0;
+    for (int layer = 0; layer < clouds.march.x; ++layer)
+        bits |= clouds.shapes[layer].extent.z > 0.5 && clouds.shapes[layer].look.z > 0.5 ? 1 << layer : 0;
+    return bits;
+}
+
 /// `share` of a sheet of fibres where the ray crosses it.
 MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight key) {
     vec3 p = flatFromCurved(direction * t, frame.cameraWorld.y);
@@ -153,10 +161,11 @@ MarchResult withPart(MarchResult ray, int layer, vec2 altitudes, float share, ve
 /// From within a layer its fibres lie above and below, most in its middle: 6 s (1 - s), as layerSample has it. Two bits a layer say
 /// which of its parts there are: the same for every ray.
 MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key) {
+    int sheets = sheetLayers();
     int parts = 0;
     for (int layer = 0; layer < clouds.march.x; ++layer) {
         vec4 extent = clouds.shapes[layer].extent;
-        bool sheet = extent.z > 0.5 && clouds.shapes[layer].look.z > 0.5;
+        bool sheet = (sheets >> layer & 1) != 0;
         parts |= sheet && frame.cameraWorld.y < extent.y ? 1 << 2 * layer : 0;
         parts |= sheet && frame.cameraWorld.y > extent.x ? 2 << 2 * layer : 0;
     }

@@ -141,20 +141,23 @@ vec3 haloLight(LightRay ray, KeyLight key) {
     float cosine = dot(ray.direction, key.toward);
     if (cosine < 0.5 || cosine > 0.97) return vec3(0.0);
     vec3 sum = vec3(0.0);
-    for (int layer = 0; layer < clouds.march.x; ++layer) {
+    int sheets = sheetLayers();
+    if (sheets != 0) do {
+        int layer = findLSB(sheets);
+        sheets &= sheets - 1;
         vec4 extent = clouds.shapes[layer].extent;
-        if (extent.z < 0.5 || clouds.shapes[layer].look.z < 0.5) continue;
         float altitude = 0.5 * (extent.x + extent.y);
         vec2 cross = crossings(frame.cameraWorld.y, ray.direction.y, altitude);
         float t = cross.x > 0.0 ? cross.x : cross.y;
-        if (t <= 0.0 || t > ray.land) continue;
+        bool met = t > 0.0 && t <= ray.land;
+        if (!met) t = 1.0e4;
         float depth = sheetAlong(layer, ray.direction, t);
         vec3 phase = kClearCrystals * (0.5 * haloExcess(phaseTable, phaseSize(), cosine) + kPlates * sunDogs(ray.direction, key.toward));
         // What of it is seen through the clouds before the sheet.
         float before = min(ray.through * exp(depth), 1.0);
-        float flux = depth * exp(-depth) * before;
+        float flux = met ? depth * exp(-depth) * before : 0.0;
         sum += flux * phase * keyAt(key, altitude) * airBefore(ray.direction, t).transmittance;
-    }
+    } while (sheets != 0);
     return sum;
 }
 

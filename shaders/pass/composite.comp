@@ -12,6 +12,11 @@ layout(std430, binding = 7) readonly buffer StarBlock {
     vec4 stars[];      // two each: direction (J2000), irradiance
 } bright;
 
+// Whether stars may show: by day software GL need not pay for them.
+#ifndef STARS
+#define STARS true
+#endif
+
 vec3 brightStars(vec3 d, float pixel) {
     float column = fract(atan(d.y, d.x) / 6.2831853 + 1.0) * 32.0;
     float row = (asin(clamp(d.z, -1.0, 1.0)) / 3.14159265 + 0.5) * 16.0;
@@ -60,7 +65,7 @@ vec3 skyBehind(vec3 direction) {
     if (distanceInward(h, direction.y, 0.0) >= 0.0) return radiance;
     vec4 moon = moonDisc(direction);
     vec3 beyond = sunDisc(direction) + moon.rgb;
-    if (sky.skyCamera.z > 0.0) beyond += starsToward(direction) * (1.0 - moon.a) * sky.skyCamera.z;
+    if (STARS && sky.skyCamera.z > 0.0) beyond += starsToward(direction) * (1.0 - moon.a) * sky.skyCamera.z;
     return any(greaterThan(beyond, vec3(0.0))) ? radiance + beyond * airToTop(h, direction.y) : radiance;
 }
 

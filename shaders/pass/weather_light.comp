@@ -12,6 +12,11 @@ layout(binding = 3) uniform sampler2D fallenLight;  // of falling.comp, one texe
 layout(binding = 4) uniform sampler2D fallenLit;
 uniform int block;
 
+// Whether anything falls or flashes: where nothing does, software GL need not pay for it.
+#ifndef STORMY
+#define STORMY true
+#endif
+
 float cloudAway(ivec2 pixel) {
     return unpackedFacts(texelFetch(cloudFacts, pixel, 0)).distance;
 }
@@ -52,7 +57,7 @@ void main() {
     KeyLight key = keyLight();
     LightRay ray = LightRay(rayDirection(centre), landAway(pixel), cloudAway(pixel), colour.a, picturePixel(centre));
     vec3 radiance = colour.rgb / frame.exposure.x + haloLight(ray, key) + gloryLight(ray, key);
-    if (falling.optics.x > 0.5) radiance = behindFalling(radiance, fallenAt(pixel, ray), ray, key);
-    radiance += strokeLight(ray);
+    if (STORMY && falling.optics.x > 0.5) radiance = behindFalling(radiance, fallenAt(pixel, ray), ray, key);
+    if (STORMY) radiance += strokeLight(ray);
     imageStore(colourTarget, pixel, vec4(clamp(radiance * frame.exposure.x, vec3(0.0), vec3(60000.0)), colour.a));
 }

@@ -45,7 +45,7 @@ public:
         skyPass_.draw(context);
         targets_.colour.clear(glm::vec4{0.0f});
         drawWall(distance);
-        compositePass_.draw(context);
+        compositePass_.draw(context, skyPass_.starsShow());
         SkyPicture picture{targets_.size, targets_.colour.readFloats()};
         for (float& value : picture.values) value /= frame.exposure.x;
         return picture;
