@@ -177,9 +177,13 @@ GLSL_FUNCTION vec3 lightThroughAir(sampler2D transmittance, vec2 size, float h, 
 
 // ------------------------------------------------------------------------- table two: light scattered many times
 
-/// Texture coordinate of (h, cosine of the light's zenith angle): finest near the ground and at dusk.
+GLSL_CONST float kNoTwilight = 0.42f;  // sine of the sun's depression at which nothing is left of its light
+
+/// Texture coordinate of (h, cosine of the light's zenith angle): finest near the ground and at sunset. A half of the table for
+/// the twenty degrees of twilight, over which the light falls by half a decade every degree and a half.
 GLSL_FUNCTION vec2 multipleCoordinate(vec2 size, float h, float mu) {
-    float x = 0.5f + 0.5f * sign(mu) * sqrt(abs(mu));
+    float below = clamp(-mu / kNoTwilight, 0.0f, 1.0f);
+    float x = mu < 0.0f ? 0.5f - 0.5f * pow(below, 2.0f / 3.0f) : 0.5f + 0.5f * sqrt(mu);
     vec2 unit = clamp(vec2(x, sqrt(max(h, 0.0f) / kAirTop)), vec2(0.0f), vec2(1.0f));
     return (unit * (size - vec2(1.0f)) + vec2(0.5f)) / size;
 }
@@ -187,7 +191,7 @@ GLSL_FUNCTION vec2 multipleCoordinate(vec2 size, float h, float mu) {
 GLSL_FUNCTION vec2 multipleArgument(vec2 size, vec2 uv) {
     vec2 unit = clamp((uv * size - vec2(0.5f)) / (size - vec2(1.0f)), vec2(0.0f), vec2(1.0f));
     float x = 2.0f * unit.x - 1.0f;
-    return vec2(kAirTop * unit.y * unit.y, x * abs(x));
+    return vec2(kAirTop * unit.y * unit.y, x < 0.0f ? -kNoTwilight * pow(-x, 1.5f) : x * x);
 }
 
 GLSL_CONST vec3 kLandColour = vec3(1.0f, 1.03f, 0.72f);  // of the land in the mean, over its albedo
