@@ -13,7 +13,7 @@
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
 //     leaks out.
-// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on five of its nine
+// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on six of its nine
 // scenes. All phase functions hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
 #define LUFTPOST_CLOUD_LIGHT_GLSL
@@ -48,18 +48,21 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kForward = 1.45f;
-GLSL_CONST float kForwardTurns = 0.35f; // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.12f;
+GLSL_CONST float kForward = 1.84f;
+GLSL_CONST float kForwardTurns = 0.41f; // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kFewTurns = 1.08f;
 GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
-GLSL_CONST float kFewFade = 0.3f;
-GLSL_CONST float kManyTurns = 0.48f;
-GLSL_CONST float kManyFront = 0.4f;    // light comes in on other ways than the straight one: the depth of the face counts less
-GLSL_CONST float kManyFresh = 1.65f;   // light at a lit face that has yet to be scattered
-GLSL_CONST float kManySides = 4.0f;    // loss through the sides, by depth over width
-GLSL_CONST float kManyLeakFade = 1.3f; // near a face that is not lit
-GLSL_CONST float kFromAbove = 0.56f;
-GLSL_CONST float kFromBelow = 0.83f;
+GLSL_CONST float kFewFade = 0.256f;
+GLSL_CONST float kManyTurns = 0.49f;
+GLSL_CONST float kManyFront = 0.34f;    // light comes in on other ways than the straight one: the depth of the face counts less
+GLSL_CONST float kManyFresh = 0.55f;   // light at a lit face that has yet to be scattered
+GLSL_CONST float kManySides = 28.0f;    // loss through the sides, by depth over width
+GLSL_CONST float kManyLeakFade = 0.85f; // near a face that is not lit
+GLSL_CONST float kManyThick = 1.4f;   // it takes a cloud to scatter many times: of its depth or width, whichever is less
+GLSL_CONST float kRim = 0.13f;         // near any face light that was scattered leaks out: so much of it at the face,
+GLSL_CONST float kRimFade = 1.15f;     // and how fast that ends
+GLSL_CONST float kFromAbove = 0.516f;
+GLSL_CONST float kFromBelow = 1.24f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
@@ -73,12 +76,13 @@ GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth,
     float once = cloudPhase(cosine, g) * exp(-toLight);
     float lobe = pow(g, 2.0f + kForwardTurns * toLight), met = 1.0f - exp(-toLight);
     float forward = kForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
-    float few = kFewTurns * (1.0f - diffused(min(along, wide), s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
+    float thin = min(along, wide), kept = 1.0f - kRim * exp(-kRimFade * s * depth);
+    float few = kFewTurns * kept * (1.0f - diffused(thin, s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
     float narrow = kManySides * toLight / (wide + 2.0f);
     float sides = 1.0f / (1.0f + narrow * narrow);
     float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
     float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
-    float many = kManyTurns * kIsotropic * sides * leak * max(inside, 0.0f);
+    float many = kManyTurns * kept * (1.0f - diffused(kManyThick * thin, s)) * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 
