@@ -38,10 +38,11 @@ void inRows(int count, int workers, Work const& work) {
     run();
 }
 
-/// m of way until a coordinate that changes by `speed` per m leaves low..high.
+/// m of way until a coordinate that changes by `speed` per m leaves low..high; never, where it stands still but for roundings.
 double leaves(double value, double speed, double low, double high) {
-    if (speed > 0.0) return (high - value) / speed;
-    return speed < 0.0 ? (low - value) / speed : sky::kNever;
+    constexpr double kStill = 1e-9;
+    if (speed > kStill) return (high - value) / speed;
+    return speed < -kStill ? (low - value) / speed : sky::kNever;
 }
 }  // namespace
 
@@ -257,14 +258,14 @@ ReferenceClouds::Extinction ReferenceClouds::at(glm::dvec3 const& place) const {
 
 /// How far it is out of the box that a cell lies in, `cells` wide and high, or as high as all slabs.
 double ReferenceClouds::boxReach(Grid const& grid, glm::dvec3 const& place, glm::dvec3 const& velocity, glm::ivec3 const& cell, int cells) const {
-    constexpr double kNudge = 0.01;  // m: over the face
     double const slab = (highest_ - lowest_) / kSlabs, side = grid.cell * cells;
+    double const nudge = 0.01 + 3e-4 * grid.cell;  // m: over the face, although the way is not straight on the flat map
     double const west = cell.x / cells * side - 0.5 * grid.width, north = cell.z / cells * side - 0.5 * grid.width;
     double const bottom = cells == kBlockCells ? lowest_ : lowest_ + cell.y / cells * cells * slab;
     double const top = cells == kBlockCells ? highest_ : bottom + cells * slab;
     double const reach = std::min(leaves(place.x, velocity.x, west, west + side),
                                   std::min(leaves(place.z, velocity.z, north, north + side), leaves(place.y, velocity.y, bottom, top)));
-    return std::max(reach, 0.0) + kNudge;
+    return std::max(reach, 0.0) + nudge;
 }
 
 ReferenceClouds::Bound ReferenceClouds::bound(glm::dvec3 const& place, glm::dvec3 const& velocity) const {

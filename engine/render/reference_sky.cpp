@@ -80,14 +80,18 @@ double ReferenceSky::altitudeOf(glm::dvec3 const& place) const {
     return ((eye_ + place.y) * (2.0 * kRadius + eye_ + place.y) + across) / (radius + kRadius);
 }
 
-glm::dvec3 ReferenceSky::flatOf(glm::dvec3 const& place, double altitude) const {
+double ReferenceSky::flattening(glm::dvec3 const& place) const {
     double const across2 = place.x * place.x + place.z * place.z;
     double const up = kRadius + eye_ + place.y;
     double const s = across2 / (up * up);
     // atan(t) / t: its series where it is exact to 1e-9, a third of the Earth's radius around.
     double const share = s < 0.01 ? 1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s / 9.0))) : std::atan(std::sqrt(s)) / std::sqrt(s);
-    double const stretch = kRadius / up * share;
-    return {place.x * stretch, altitude, place.z * stretch};
+    return kRadius / up * share;
+}
+
+glm::dvec3 ReferenceSky::flatOf(glm::dvec3 const& place, double altitude) const {
+    double const flat = flattening(place);
+    return {place.x * flat, altitude, place.z * flat};
 }
 
 /// Distance along the ray, beyond `from`, to the sphere at an altitude that lies above (`outward`) or below; kNever where it is missed.
@@ -107,8 +111,9 @@ double ReferenceSky::crossing(sky::PathRay const& ray, double from, double altit
 
 sky::Stretch ReferenceSky::cloudStretch(sky::PathRay const& ray, double from, glm::dvec3 const& place, double altitude) const {
     glm::dvec3 const centred{place.x, place.y + kRadius + eye_, place.z};
-    glm::dvec3 const velocity{ray.direction.x, glm::dot(centred, ray.direction) / glm::length(centred), ray.direction.z};
-    auto const bound = clouds_.bound(flatOf(place, altitude), velocity);
+    double const flat = flattening(place);
+    glm::dvec3 const velocity{ray.direction.x * flat, glm::dot(centred, ray.direction) / glm::length(centred), ray.direction.z * flat};
+    auto const bound = clouds_.bound({place.x * flat, altitude, place.z * flat}, velocity);
     return {from + bound.reach, bound.most, bound.sure};
 }
 

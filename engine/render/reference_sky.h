@@ -46,6 +46,7 @@ private:
         double radius = 0.00465;
     };
     double altitudeOf(glm::dvec3 const& place) const;
+    double flattening(glm::dvec3 const& place) const;  // m along the ground for each m across the picture's frame
     glm::dvec3 flatOf(glm::dvec3 const& place, double altitude) const;
     double crossing(sky::PathRay const& ray, double from, double altitude, bool outward) const;
     sky::Stretch cloudStretch(sky::PathRay const& ray, double from, glm::dvec3 const& place, double altitude) const;

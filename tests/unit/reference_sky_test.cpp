@@ -76,7 +76,7 @@ TEST(ReferenceSky, SeesWithItsAirApartWhatItSeesWithAllInOne) {
     for (double const up : {-0.08, 0.03, 0.5}) {
         Mean apart, together, through, hidden;
         for (int way = 0; way < 12; ++way) {
-            double const east = 2.0 * core::kPi * way / 12.0, across = std::sqrt(1.0 - up * up);
+            double const east = 2.0 * core::kPi * (way + 0.2) / 12.0, across = std::sqrt(1.0 - up * up);
             sky::PathRay const ray{glm::dvec3{0.0}, {across * std::cos(east), up, across * std::sin(east)}};
             sky::AirDraw const air = medium.airDraw(ray);
             for (int i = 0; i < 200; ++i) {
