@@ -9,13 +9,24 @@
 #include "engine/weather/cloud_column.h"
 #include "shaders/lib/cloud.glsl"
 
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LUFTPOST_HOT [[gnu::flatten, gnu::target_clones("default", "arch=x86-64-v3")]]
+#else
+#define LUFTPOST_HOT
+#endif
+
 namespace luftpost::render {
 namespace {
 constexpr std::array<double, 2> kWidths{64'000.0, 384'000.0};  // m, of ranks and bounds
 constexpr int kRanks = 2048;    // texels of a map, each way
-constexpr int kCellTexels = 8;  // of the ranks in a cell
-constexpr int kBlockCells = 8;
+constexpr int kCellTexels = 2;  // of the ranks in a cell
+constexpr int kGroupCells = 4;  // cells and slabs of a group, each way
+constexpr int kBlockCells = 16;
 constexpr int kSlabs = 40;      // from the lowest base to the highest top
+constexpr int kGroupSlabs = kSlabs / kGroupCells;
+constexpr double kProbed = 16'000.0;  // m from the camera, within which bounds are narrowed
+constexpr double kGuessCell = 100.0;  // m, of the depths toward the sun
+constexpr int kGuessSize = 480, kGuessSlabs = 32;
 
 /// Runs work(row) for rows 0..count-1 on threads.
 template <class Work>
@@ -27,10 +38,11 @@ void inRows(int count, int workers, Work const& work) {
     run();
 }
 
-/// m of way until a coordinate that changes by `speed` per m leaves low..high.
+/// m of way until a coordinate that changes by `speed` per m leaves low..high; never, where it stands still but for roundings.
 double leaves(double value, double speed, double low, double high) {
-    if (speed > 0.0) return (high - value) / speed;
-    return speed < 0.0 ? (low - value) / speed : sky::kNever;
+    constexpr double kStill = 1e-9;
+    if (speed > kStill) return (high - value) / speed;
+    return speed < -kStill ? (low - value) / speed : sky::kNever;
 }
 }  // namespace
 
@@ -87,48 +99,107 @@ void ReferenceClouds::makeGrid(Grid& grid, std::size_t level, int workers) {
     grid.size = kRanks / kCellTexels;
     grid.cell = grid.width / grid.size;
     int const blocks = grid.size / kBlockCells;
-    grid.cells.assign(static_cast<std::size_t>(grid.size) * static_cast<std::size_t>(grid.size) * kSlabs, 0.0f);
+    grid.cells.assign(static_cast<std::size_t>(grid.size) * static_cast<std::size_t>(grid.size) * kSlabs, Cell{});
     grid.blocks.assign(static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks), 0.0f);
-    inRows(grid.size, workers, [&](int row) { for (int column = 0; column < grid.size; ++column) boundCell(grid, level, column, row); });
+    inRows(grid.size, workers, [&](int row) {
+        for (int layer = 0; layer < layerCount_; ++layer) {
+            std::vector<Probe> const probes = level == 0 ? probesOf(grid, layer, row) : std::vector<Probe>{};
+            for (int column = 0; column < grid.size; ++column) boundCell(grid, level, layer, column, row, probes);
+        }
+    });
+    makeGroups(grid);
+}
+
+/// The bounds of groups of cells, and of blocks of cells over all heights.
+void ReferenceClouds::makeGroups(Grid& grid) {
+    int const groups = grid.size / kGroupCells, blocks = grid.size / kBlockCells;
+    grid.groups.assign(static_cast<std::size_t>(groups * groups * kGroupSlabs), Cell{0.0f, 1.0f});
     for (int row = 0; row < grid.size; ++row)
         for (int column = 0; column < grid.size; ++column) {
-            auto const first = grid.cells.begin() + (row * grid.size + column) * kSlabs;
             float& block = grid.blocks[static_cast<std::size_t>(row / kBlockCells * blocks + column / kBlockCells)];
-            block = std::max(block, *std::max_element(first, first + kSlabs));
+            for (int i = 0; i < kSlabs; ++i) {
+                Cell const& cell = grid.cells[static_cast<std::size_t>((row * grid.size + column) * kSlabs + i)];
+                Cell& group = grid.groups[static_cast<std::size_t>((row / kGroupCells * groups + column / kGroupCells) * kGroupSlabs + i / kGroupCells)];
+                group = {std::max(group.most, cell.most), std::min(group.sure, cell.sure)};
+                block = std::max(block, cell.most);
+            }
         }
 }
 
-void ReferenceClouds::boundCell(Grid& grid, std::size_t level, int column, int row) const {
-    float* const out = grid.cells.data() + static_cast<std::size_t>(row * grid.size + column) * kSlabs;
+void ReferenceClouds::boundCell(Grid& grid, std::size_t level, int layer, int column, int row, std::vector<Probe> const& probes) const {
+    Cell* const out = grid.cells.data() + static_cast<std::size_t>(row * grid.size + column) * kSlabs;
     double const west = column * grid.cell - 0.5 * grid.width, north = row * grid.cell - 0.5 * grid.width;
     double const slab = (highest_ - lowest_) / kSlabs;
-    for (int layer = 0; layer < layerCount_; ++layer) {
-        PlaneMap const& ranks = ranks_[level][static_cast<std::size_t>(layer)];
-        // The least rank of the cell, or of where it is `aside` m.
-        auto const leastAt = [&](glm::vec2 const& aside) {
-            glm::ivec2 const shift{glm::round(glm::dvec2{aside} / ranks.texel())};
-            glm::ivec2 const first = glm::clamp(glm::ivec2{column, row} * kCellTexels - 2 + shift, 0, kRanks - 1);
-            glm::ivec2 const last = glm::clamp(glm::ivec2{column + 1, row + 1} * kCellTexels + 1 + shift, 0, kRanks - 1);
-            float least = 1.0f;
-            for (int z = first.y; z <= last.y; ++z)
-                for (int x = first.x; x <= last.x; ++x) least = std::min(least, ranks.texelAt(x, z));
-            return least;
-        };
-        glsl::LayerShape const& s = shape_.layers[layer];
-        LeastRank least{leastAt(glm::vec2{0.0f}), 1.0f};
-        glm::vec2 const carried{s.fibre.x, s.fibre.y};
-        if (s.body.z > 0.0f) least.anvil = glsl::anvilRank(leastAt(-s.fibre.z * carried), leastAt(-carried), s.fibre.w);
-        // What is linear has its extremes in the corners.
-        glsl::LayerField const& field = fields_[static_cast<std::size_t>(layer)];
-        glm::vec4 low{1.0e9f}, high{-1.0e9f};
-        for (int corner = 0; corner < 4; ++corner) {
-            auto const x = static_cast<float>(west + (corner & 1) * grid.cell), z = static_cast<float>(north + (corner >> 1) * grid.cell);
-            glm::vec4 const v = glm::clamp(field.centre + field.eastward * x + field.southward * z, field.low, field.high);
-            low = glm::min(low, v);
-            high = glm::max(high, v);
-        }
-        for (int i = 0; i < kSlabs; ++i) out[i] += slabBound(layer, low, high, least, lowest_ + i * slab);
+    PlaneMap const& ranks = ranks_[level][static_cast<std::size_t>(layer)];
+    // The least rank of the cell, or of where it is `aside` m.
+    auto const leastAt = [&](glm::vec2 const& aside) {
+        glm::ivec2 const shift{glm::round(glm::dvec2{aside} / ranks.texel())};
+        glm::ivec2 const first = glm::clamp(glm::ivec2{column, row} * kCellTexels - 2 + shift, 0, kRanks - 1);
+        glm::ivec2 const last = glm::clamp(glm::ivec2{column + 1, row + 1} * kCellTexels + 1 + shift, 0, kRanks - 1);
+        float least = 1.0f;
+        for (int z = first.y; z <= last.y; ++z)
+            for (int x = first.x; x <= last.x; ++x) least = std::min(least, ranks.texelAt(x, z));
+        return least;
+    };
+    glsl::LayerShape const& s = shape_.layers[layer];
+    LeastRank least{leastAt(glm::vec2{0.0f}), 1.0f};
+    glm::vec2 const carried{s.fibre.x, s.fibre.y};
+    if (s.body.z > 0.0f) least.anvil = glsl::anvilRank(leastAt(-s.fibre.z * carried), leastAt(-carried), s.fibre.w);
+    // What is linear has its extremes in the corners.
+    glsl::LayerField const& field = fields_[static_cast<std::size_t>(layer)];
+    glm::vec4 low{1.0e9f}, high{-1.0e9f};
+    for (int corner = 0; corner < 4; ++corner) {
+        auto const x = static_cast<float>(west + (corner & 1) * grid.cell), z = static_cast<float>(north + (corner >> 1) * grid.cell);
+        glm::vec4 const v = glm::clamp(field.centre + field.eastward * x + field.southward * z, field.low, field.high);
+        low = glm::min(low, v);
+        high = glm::max(high, v);
     }
+    for (int i = 0; i < kSlabs; ++i) {
+        Cell cell{slabBound(layer, low, high, least, lowest_ + i * slab), 0.0f};
+        if (!probes.empty() && cell.most > 0.0f) narrow(cell, probes.data() + column * (kSlabs + 1) + i, static_cast<float>(grid.cell));
+        out[i].most += cell.most;
+        out[i].sure += cell.sure;
+    }
+}
+
+/// The clouds of a layer along a row of cells, in three lines: at the cells' north-western corners, at their middles and at their
+/// south-western corners. A line is one column longer than the row and one height higher than the slabs. Nothing where it is far.
+std::vector<ReferenceClouds::Probe> ReferenceClouds::probesOf(Grid const& grid, int layer, int row) const {
+    double const north = row * grid.cell - 0.5 * grid.width;
+    if (shape_.layers[layer].look.z > 0.5f || std::abs(north) > kProbed) return {};
+    double const slab = (highest_ - lowest_) / kSlabs;
+    std::vector<Probe> probes(static_cast<std::size_t>(3 * (grid.size + 1) * (kSlabs + 1)));
+    for (int line = 0; line < 3; ++line)
+        for (int column = 0; column <= grid.size; ++column) {
+            double const middle = line == 1 ? 0.5 : 0.0;
+            double const x = (column + middle) * grid.cell - 0.5 * grid.width, z = north + 0.5 * line * grid.cell;
+            if (std::abs(x) > kProbed) continue;
+            for (int i = 0; i <= kSlabs; ++i) {
+                glm::dvec3 const place{x, lowest_ + (i + middle) * slab, z};
+                glsl::CloudSample const here = sampleOf(layer, place);
+                float const full = columnAt(layer, place).water * shape_.layers[layer].look.w;
+                probes[static_cast<std::size_t>((line * (grid.size + 1) + column) * (kSlabs + 1) + i)] = {here.extinction, here.extinction > 0.0f ? here.depth / full : -here.outside};
+            }
+        }
+    return probes;
+}
+
+/// Narrows the bounds of a cell by what its middle and its corners have: deep in a cloud the least of that is sure, and far from all
+/// there is next to nothing. A bound that something breaks between them is still right in the mean (sky/path_tracer.h).
+void ReferenceClouds::narrow(Cell& cell, Probe const* first, float across) const {
+    int const line = (static_cast<int>(ranks_[0].front().size()) / kCellTexels + 1) * (kSlabs + 1);
+    Probe const* const middle = first + line;
+    float least = middle->extinction, innermost = middle->inside, outermost = middle->inside;
+    for (Probe const* corner : {first, first + 1, first + kSlabs + 1, first + kSlabs + 2}) {
+        for (Probe const* p : {corner, corner + 2 * line}) {
+            least = std::min(least, p->extinction);
+            innermost = std::max(innermost, p->inside);
+            outermost = std::min(outermost, p->inside);
+        }
+    }
+    if (outermost > 0.6f * across) cell.sure = 0.92f * least;
+    if (innermost < -0.4f * across) cell.most *= 0.05f;
+    cell.sure = std::min(cell.sure, 0.98f * cell.most);
 }
 
 /// The most that a layer has in a slab whose bottom is at `bottom`: nothing where even the largest envelope stays below.
@@ -148,7 +219,8 @@ float ReferenceClouds::slabBound(int layer, glm::vec4 const& low, glm::vec4 cons
     float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerWidth(glsl::towerCover(low.x, s), s), s) : -1.0f;
     bool const tower = bottom < base + static_cast<double>(rise) * (top - base);
     bool const anvil = s.body.z > 0.0f && high.x - rank.anvil + glsl::anvilFray(high.x) > 0.0f && bottom + slab > base + static_cast<double>(glsl::kAnvilFoot) * (top - base);
-    return (tower ? 1.1f * full : 0.0f) + (anvil ? 1.7f * glsl::kAnvilIce * full : 0.0f);
+    float const share = std::clamp(static_cast<float>((bottom + slab - base) / (top - base)), 0.0f, 1.0f);
+    return (tower ? glm::mix(0.55f, 1.1f, share) * full : 0.0f) + (anvil ? 1.7f * glsl::kAnvilIce * full : 0.0f);
 }
 
 glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) const {
@@ -166,23 +238,39 @@ glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) 
     return column;
 }
 
+// The hottest place of the tracer: all in one function, for the one lod, with the instructions that the machine has. Nothing is
+// contracted, so the bits are the same on all.
+LUFTPOST_HOT glsl::CloudSample ReferenceClouds::sampleOf(int layer, glm::dvec3 const& place) const {
+    return glsl::layerSample(glm::vec3{place}, columnAt(layer, place), shape_.layers[layer], noise_.shape.sampler(), noise_.detail.sampler(),
+                             noise_.curl.plane(), 0.0f);
+}
+
 ReferenceClouds::Extinction ReferenceClouds::at(glm::dvec3 const& place) const {
     Extinction sum;
     if (!grids_.back().covers(place.x, place.z)) return sum;
-    glm::vec3 const p{place};
     for (int layer = 0; layer < layerCount_; ++layer) {
         glsl::LayerField const& field = fields_[static_cast<std::size_t>(layer)];
         if (place.y <= static_cast<double>(field.low.y) || place.y >= static_cast<double>(field.high.z)) continue;
-        glsl::LayerShape const& shape = shape_.layers[layer];
-        float const extinction = glsl::layerSample(p, columnAt(layer, place), shape, noise_.shape.sampler(),
-                                                   noise_.detail.sampler(), noise_.curl.plane(), 0.0f).extinction;
-        (shape.look.z > 0.5f ? sum.ice : sum.droplets) += extinction;
+        (shape_.layers[layer].look.z > 0.5f ? sum.ice : sum.droplets) += sampleOf(layer, place).extinction;
     }
     return sum;
 }
 
+/// How far it is out of the box that a cell lies in, `cells` wide and high, or as high as all slabs.
+double ReferenceClouds::boxReach(Grid const& grid, glm::dvec3 const& place, glm::dvec3 const& velocity, glm::ivec3 const& cell, int cells) const {
+    double const slab = (highest_ - lowest_) / kSlabs, side = grid.cell * cells;
+    double const nudge = 0.01 + 3e-4 * grid.cell;  // m: over the face, although the way is not straight on the flat map
+    double const west = cell.x / cells * side - 0.5 * grid.width, north = cell.z / cells * side - 0.5 * grid.width;
+    double const bottom = cells == kBlockCells ? lowest_ : lowest_ + cell.y / cells * cells * slab;
+    double const top = cells == kBlockCells ? highest_ : bottom + cells * slab;
+    double const reach = std::min(leaves(place.x, velocity.x, west, west + side),
+                                  std::min(leaves(place.z, velocity.z, north, north + side), leaves(place.y, velocity.y, bottom, top)));
+    return std::max(reach, 0.0) + nudge;
+}
+
 ReferenceClouds::Bound ReferenceClouds::bound(glm::dvec3 const& place, glm::dvec3 const& velocity) const {
-    constexpr double kNudge = 0.01;  // m: over the face
+    constexpr float kThin = 0.004f;  // 1/m: what lies between clouds, a tenth of what is in them
+    constexpr float kAlike = 0.75f;  // share of the most that is sure
     double const slab = (highest_ - lowest_) / kSlabs;
     for (Grid const& grid : grids_) {
         if (!grid.covers(place.x, place.z)) continue;
@@ -190,15 +278,52 @@ ReferenceClouds::Bound ReferenceClouds::bound(glm::dvec3 const& place, glm::dvec
         int const row = std::clamp(static_cast<int>((place.z + 0.5 * grid.width) / grid.cell), 0, grid.size - 1);
         int const blocks = grid.size / kBlockCells;
         bool const empty = grid.blocks[static_cast<std::size_t>(row / kBlockCells * blocks + column / kBlockCells)] <= 0.0f;
-        int const share = empty ? kBlockCells : 1;
-        double const side = grid.cell * share;
-        double const west = column / share * side - 0.5 * grid.width, north = row / share * side - 0.5 * grid.width;
-        double reach = std::min(leaves(place.x, velocity.x, west, west + side), leaves(place.z, velocity.z, north, north + side));
-        if (empty) return {0.0f, reach + kNudge};
+        if (empty) return {0.0f, 0.0f, boxReach(grid, place, velocity, {column, 0, row}, kBlockCells)};
         int const height = std::clamp(static_cast<int>((place.y - lowest_) / slab), 0, kSlabs - 1);
-        reach = std::min(reach, leaves(place.y, velocity.y, lowest_ + height * slab, lowest_ + (height + 1) * slab));
-        return {grid.cells[static_cast<std::size_t>(row * grid.size + column) * kSlabs + static_cast<std::size_t>(height)], std::max(reach, 0.0) + kNudge};
+        int const groups = grid.size / kGroupCells;
+        Cell cell = grid.groups[static_cast<std::size_t>((row / kGroupCells * groups + column / kGroupCells) * kGroupSlabs + height / kGroupCells)];
+        // A group that is all alike is as good as its cells, and larger.
+        if (cell.most <= kThin || cell.sure > kAlike * cell.most) return {cell.most, cell.sure, boxReach(grid, place, velocity, {column, height, row}, kGroupCells)};
+        cell = grid.cells[static_cast<std::size_t>(row * grid.size + column) * kSlabs + static_cast<std::size_t>(height)];
+        return {cell.most, cell.sure, boxReach(grid, place, velocity, {column, height, row}, 1)};
     }
-    return {0.0f, 1000.0};
+    return {0.0f, 0.0f, std::min(1000.0, std::max(leaves(place.y, velocity.y, lowest_, highest_), 0.0) + 0.01)};
+}
+
+// Optical depths by columns that lean with the light, from the top down: coarse, for they only say how often a way is followed.
+void ReferenceClouds::makeSunGuess(glm::dvec3 const& towardSun, int workers) {
+    if (empty() || towardSun.y < 0.02) return;
+    lean_ = glm::dvec2{towardSun.x, towardSun.z} / towardSun.y;
+    double const slab = (highest_ - lowest_) / kGuessSlabs;
+    std::vector<float> depths(static_cast<std::size_t>(kGuessSize) * kGuessSize * kGuessSlabs);
+    // Down along the way of the light, which the columns lean with.
+    inRows(kGuessSize, workers, [&](int row) {
+        for (int column = 0; column < kGuessSize; ++column) {
+            float depth = 0.0f;
+            for (int i = kGuessSlabs - 1; i >= 0; --i) {
+                double const up = (i + 0.5) * slab;
+                glm::dvec3 const place{(column + 0.5 - 0.5 * kGuessSize) * kGuessCell + up * lean_.x, lowest_ + up,
+                                       (row + 0.5 - 0.5 * kGuessSize) * kGuessCell + up * lean_.y};
+                Extinction const here = at(place);
+                depth += (here.droplets + here.ice) * static_cast<float>(slab / towardSun.y);
+                depths[static_cast<std::size_t>(row * kGuessSize + column) * kGuessSlabs + static_cast<std::size_t>(i)] = depth;
+            }
+        }
+    });
+    sunDepths_ = std::move(depths);
+}
+
+float ReferenceClouds::sunGuess(glm::dvec3 const& place) const {
+    constexpr float kLeast = 0.01f;  // where the guess is worst a way counts a hundred times, no more
+    if (sunDepths_.empty() || place.y >= highest_) return 1.0f;
+    double const up = place.y - lowest_;
+    double const x = (place.x - up * lean_.x) / kGuessCell + 0.5 * kGuessSize, z = (place.z - up * lean_.y) / kGuessCell + 0.5 * kGuessSize;
+    if (!(x >= 0.0 && z >= 0.0 && x < kGuessSize && z < kGuessSize)) return 1.0f;
+    // A depth holds at the bottom of its slab.
+    double const height = std::clamp(up / (highest_ - lowest_) * kGuessSlabs, 0.0, kGuessSlabs - 1.0);
+    auto const slab = static_cast<std::size_t>(height);
+    float const* const depths = sunDepths_.data() + static_cast<std::size_t>(static_cast<int>(z) * kGuessSize + static_cast<int>(x)) * kGuessSlabs;
+    float const above = slab + 1 < kGuessSlabs ? depths[slab + 1] : 0.0f;
+    return kLeast + (1.0f - kLeast) * std::exp(-glm::mix(depths[slab], above, static_cast<float>(height - static_cast<double>(slab))));
 }
 }  // namespace luftpost::render

@@ -8,7 +8,7 @@
 #include "engine/render/snapshot.h"
 #include "engine/sky/path_tracer.h"
 #include "engine/weather/noise_volume.h"
-#include "shaders/shared/cloud.glsl.h"
+#include "shaders/lib/cloud.glsl"
 
 namespace luftpost::render {
 /// Samples of one function over a square around the camera, read bilinearly.
@@ -46,28 +46,47 @@ public:
     bool empty() const { return layerCount_ == 0; }
     double lowest() const { return lowest_; }    // m above sea level: no cloud below
     double highest() const { return highest_; }  // nor above
-    /// The bound at a place and how far it holds along `velocity` (per m of way, flat), m of way.
+    /// The bounds at a place and how far they hold along `velocity` (per m of way, flat), m of way.
     struct Bound {
-        float extinction = 0.0f;
+        float most = 0.0f;   // 1/m
+        float sure = 0.0f;   // 1/m of droplets: deep in a cloud nearly all of it, else 0
         double reach = 0.0;
     };
     Bound bound(glm::dvec3 const& place, glm::dvec3 const& velocity) const;
 
+    /// About the transmittance of the clouds from a place toward the sun, above 0. Needs makeSunGuess first.
+    float sunGuess(glm::dvec3 const& place) const;
+    void makeSunGuess(glm::dvec3 const& towardSun, int workers);
+
 private:
-    /// Bounds over a square around the camera: by cells and slabs of height, and by blocks of cells over all heights.
+    struct Cell {
+        float most = 0.0f, sure = 0.0f;  // as Bound's
+    };
+    /// Bounds over a square around the camera: by cells and slabs of height, by groups of 4 x 4 x 4 of these, and by blocks of cells
+    /// over all heights.
     struct Grid {
         double width = 0.0;
         double cell = 0.0;
         int size = 0;
-        std::vector<float> cells, blocks;
+        std::vector<Cell> cells, groups;
+        std::vector<float> blocks;
         bool covers(double x, double z) const { return std::abs(x) < 0.5 * width && std::abs(z) < 0.5 * width; }
     };
     glsl::LayerColumn columnAt(int layer, glm::dvec3 const& place) const;
     struct LeastRank { float tower, anvil; };
     void makeRanks(Snapshot const& snapshot, weather::Weather const& sky, int workers);
+    static void makeGroups(Grid& grid);
+    double boxReach(Grid const& grid, glm::dvec3 const& place, glm::dvec3 const& velocity, glm::ivec3 const& cell, int cells) const;
     void makeGrid(Grid& grid, std::size_t level, int workers);
-    void boundCell(Grid& grid, std::size_t level, int column, int row) const;
+    struct Probe {
+        float extinction = 0.0f;  // 1/m
+        float inside = 0.0f;      // m from the nearest face, about
+    };
+    std::vector<Probe> probesOf(Grid const& grid, int layer, int row) const;
+    void boundCell(Grid& grid, std::size_t level, int layer, int column, int row, std::vector<Probe> const& probes) const;
+    void narrow(Cell& cell, Probe const* first, float across) const;
     float slabBound(int layer, glm::vec4 const& low, glm::vec4 const& high, LeastRank const& rank, double bottom) const;
+    glsl::CloudSample sampleOf(int layer, glm::dvec3 const& place) const;
 
     int layerCount_ = 0;
     glsl::CloudShape shape_;
@@ -76,5 +95,7 @@ private:
     std::array<std::vector<PlaneMap>, 2> ranks_;  // [near, far][layer]
     std::array<Grid, 2> grids_;
     double lowest_ = 0.0, highest_ = 0.0;
+    glm::dvec2 lean_{0.0};            // m east and south that the way to the sun goes for each m up
+    std::vector<float> sunDepths_;    // optical depths of the clouds toward the sun: [row, column, slab], at the lowest base
 };
 }  // namespace luftpost::render

@@ -32,13 +32,14 @@ Pixel tracedPixel(ReferenceSky const& medium, Camera const& camera, glm::ivec2 c
     core::Random random{mixer.next()};
     glm::dvec4 sum{0.0};
     double squares = 0.0;
+    auto const aspect = static_cast<double>(size.x) / size.y;
+    sky::AirDraw const air = medium.airDraw({glm::dvec3{0.0}, glm::normalize(directionThrough(camera, (glm::dvec2{at} + 0.5) / glm::dvec2{size}, aspect))});
     for (int i = 0; i < samples; ++i) {
         glm::dvec2 const unit{(at.x + random.uniform(0.0, 1.0)) / size.x, (at.y + random.uniform(0.0, 1.0)) / size.y};
-        sky::PathRay const ray{glm::dvec3{0.0}, glm::normalize(directionThrough(camera, unit, static_cast<double>(size.x) / size.y))};
-        glm::vec3 const light = sky::pathRadiance(medium, ray, random);
-        float const through = sky::shadow(medium, ray, medium.surface(ray), random);
-        sum += glm::dvec4{glm::vec4{light, 1.0f - through}};
-        auto const y = static_cast<double>(sky::luminance(light));
+        sky::PathRay const ray{glm::dvec3{0.0}, glm::normalize(directionThrough(camera, unit, aspect))};
+        sky::Seen const seen = sky::seen(medium, ray, air, random);
+        sum += glm::dvec4{glm::vec4{seen.light, 1.0f - seen.through}};
+        auto const y = static_cast<double>(sky::luminance(seen.light));
         squares += y * y;
     }
     double const count = samples;

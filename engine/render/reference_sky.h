@@ -16,6 +16,7 @@ class ReferenceSky {
 public:
     enum Kind { kDroplets, kIce, kMolecules, kHaze };
     static constexpr int kKinds = 4;
+    static constexpr int kSureKind = kDroplets;
 
     ReferenceSky(Snapshot const& snapshot, weather::NoiseVolumes const& noise, int workers);
 
@@ -28,7 +29,15 @@ public:
     sky::SunThere sun(glm::dvec3 const& place, core::Random& random) const;
     sky::Stretch shadowStretchAt(sky::PathRay const& ray, double from) const;
     float shadowExtinction(glm::dvec3 const& place) const;
+    float sunGuess(glm::dvec3 const& place) const { return clouds_.sunGuess(flatOf(place, altitudeOf(place))); }
     glm::vec3 beyond(sky::PathRay const& ray, bool seen) const;
+    /// The clouds and the air, each alone.
+    sky::MediumPoint<kKinds> cloudAt(glm::dvec3 const& place) const;
+    sky::MediumPoint<kKinds> airAt(glm::dvec3 const& place) const;
+    /// An estimate of the transmittance of the air along a ray.
+    glm::vec3 throughAir(sky::PathRay const& ray, double distance, core::Random& random) const;
+    /// For rays near this one: draws places as often as the air there sends light to the eye, about.
+    sky::AirDraw airDraw(sky::PathRay const& ray) const;
 
 private:
     struct Light {
@@ -37,10 +46,13 @@ private:
         double radius = 0.00465;
     };
     double altitudeOf(glm::dvec3 const& place) const;
+    double flattening(glm::dvec3 const& place) const;  // m along the ground for each m across the picture's frame
     glm::dvec3 flatOf(glm::dvec3 const& place, double altitude) const;
     double crossing(sky::PathRay const& ray, double from, double altitude, bool outward) const;
     sky::Stretch cloudStretch(sky::PathRay const& ray, double from, glm::dvec3 const& place, double altitude) const;
-    glm::vec3 throughAir(double altitude, double cosine, double radius) const;
+    glm::vec3 sunThroughAir(double altitude, double cosine, double radius) const;
+    std::size_t bandOf(double altitude) const;
+    double endOfBand(sky::PathRay const& ray, double from, std::size_t band) const;
     void makeBands();
     void makeTable();
 
@@ -53,6 +65,9 @@ private:
     std::array<sky::Phase, kKinds> phases_;
     std::vector<double> bands_;        // altitudes between which one majorant holds, rising
     std::vector<float> bandMajorants_; // of the air, 1/m: [i] from bands_[i] to bands_[i + 1]
+    std::vector<glm::vec3> bandLeasts_; // the same from below, by colours
+    std::vector<float> bandRests_;      // and what lies between them at most
+    float airAmongClouds_ = 0.0f;      // of the bands that reach into the clouds' heights, the most
     std::vector<glm::vec4> transmittance_;
 };
 }  // namespace luftpost::render

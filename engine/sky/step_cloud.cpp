@@ -17,6 +17,7 @@ enum class Lamp { Sun, Furnace };
 class StepMedium {
 public:
     static constexpr int kKinds = 1;
+    static constexpr int kSureKind = 0;
     StepMedium(StepCloud const& cloud, Lamp lamp)
         : cloud_{cloud}, lamp_{lamp}, phase_{Phase::henyeyGreenstein(static_cast<float>(cloud.g))},
           columnWidth_{cloud.width / static_cast<double>(cloud.depths.size())} {
@@ -42,7 +43,8 @@ public:
             double const face = (ray.direction.x > 0.0 ? column + 1.0 : column) * columnWidth_;
             end = std::min(end, std::max((face - ray.origin.x) / ray.direction.x, from) + kNudge);
         }
-        return {end, extinctions_[static_cast<std::size_t>(columnOf(x))]};
+        float const extinction = extinctions_[static_cast<std::size_t>(columnOf(x))];
+        return {end, extinction, cloud_.albedo < 1.0 ? 0.0f : kSure * extinction};
     }
     MediumPoint<1> at(glm::dvec3 const& place) const {
         float const extinction = shadowExtinction(place);
@@ -59,11 +61,16 @@ public:
     glm::dvec3 sunward() const { return {-std::sin(cloud_.sunZenith), std::cos(cloud_.sunZenith), 0.0}; }
     std::optional<glm::dvec3> toSun() const { return lamp_ == Lamp::Sun ? std::optional{sunward()} : std::nullopt; }
     Stretch shadowStretchAt(PathRay const& ray, double from) const { return stretchAt(ray, from); }
+    /// As if the cloud were twice as thin: guesses may be wrong.
+    float sunGuess(glm::dvec3 const& place) const {
+        return std::exp(-0.5f * shadowExtinction(place) * static_cast<float>((cloud_.thickness - place.y) / std::cos(cloud_.sunZenith)));
+    }
     float shadowExtinction(glm::dvec3 const& place) const { return extinctions_[static_cast<std::size_t>(columnOf(place.x))]; }
     /// What the connections have not counted: a furnace behind a cloud that was crossed without a turn.
     glm::vec3 beyond(PathRay const&, bool seen) const { return glm::vec3{lamp_ == Lamp::Furnace && seen ? 1.0f : 0.0f}; }
 
 private:
+    static constexpr float kSure = 0.7f;  // of the extinction, where nothing absorbs: less than all of it, so that both parts are tried
     StepCloud const& cloud_;
     Lamp lamp_;
     Phase phase_;
@@ -104,8 +111,11 @@ void followPhoton(StepMedium const& medium, StepCloud const& cloud, core::Random
     auto const stretches = [&](PathRay const& ray, double from) { return medium.stretchAt(ray, from); };
     PathRay ray{{random.uniform(0.0, cloud.width), cloud.thickness, 0.0}, -medium.sunward()};
     glm::vec3 weight{1.0f};
-    for (Flight flight = freeFlight(stretches, ray, 0.0, kNever, random); flight.collided;
-         flight = freeFlight(stretches, ray, 0.0, kNever, random)) {
+    auto const flown = [&] {
+        Stretch here = kUnknown;
+        return freeFlight(stretches, ray, 0.0, kNever, here, random);
+    };
+    for (Flight flight = flown(); flight.collided; flight = flown()) {
         glm::dvec3 const place = ray.at(flight.distance);
         auto const column = static_cast<std::size_t>(medium.columnOf(place.x));
         tally.absorptance[column] += static_cast<double>(weight.x) * (1.0 - cloud.albedo);
@@ -155,7 +165,7 @@ StepCloudFluxes pathFluxes(StepCloud const& cloud, std::int64_t paths, std::uint
             tally.reflectance[out] += core::kPi / falling * static_cast<double>(pathRadiance(medium, down, random).x);
             PathRay const up{{x, 0.0, 0.0}, lambertian({0.0, 1.0, 0.0}, random)};
             tally.transmittance[out] += core::kPi / falling * static_cast<double>(pathRadiance(medium, up, random).x) +
-                                        static_cast<double>(shadow(medium, PathRay{up.origin, medium.sunward()}, kNever, random));
+                                        static_cast<double>(shadow(medium, PathRay{up.origin, medium.sunward()}, kNever, kMostLeast, random));
         }
     });
     scale(sum, 1.0 / static_cast<double>(paths));

@@ -20,6 +20,7 @@ using namespace luftpost;
 namespace fs = std::filesystem;
 fs::path const kFolder = fs::path{LUFTPOST_SOURCE_DIR} / "tests/image/reference";
 constexpr int kBlock = 3;  // pixels each way that are compared as one
+constexpr int kRays = 4;   // of the game's, each way, for a pixel of the reference: its pixels are means, a ray is not
 
 struct Scene {
     std::string name, weather, time, look, fov, eye;
@@ -48,9 +49,10 @@ std::vector<Scene> scenes() {
     return result;
 }
 
-assets::FloatImage drawn(Scene const& scene, std::string const& how) {
+/// A picture of the scene, `rays` pixels each way for one of the reference.
+assets::FloatImage drawn(Scene const& scene, std::string const& how, int rays) {
     fs::path const file = tests::scratch() / (scene.name + ".exr");
-    auto const outcome = tests::run("sky " + how + " --size 96x54 --weather " + (kFolder / (scene.weather + ".json")).string() + " --time " + scene.time +
+    auto const outcome = tests::run(fmt::format("sky {} --size {}x{} --weather ", how, 96 * rays, 54 * rays) + (kFolder / (scene.weather + ".json")).string() + " --time " + scene.time +
                                     " --look " + scene.look + " --fov " + scene.fov + (scene.eye.empty() ? "" : " --place " + scene.eye) + " -o " + file.string());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return assets::readFloatImage(file);
@@ -85,7 +87,8 @@ struct Agreement {
 /// The reference's land is bare and level; from the ground ours, with its trees, hides the lowest clouds.
 constexpr double kLandHides = 1.5;  // degrees
 
-Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::FloatImage const& theirs) {
+/// `ours` has `rays` pixels each way for one of `theirs`.
+Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::FloatImage const& theirs, int rays) {
     std::vector<double> errors;
     Agreement result;
     for (int y = 0; y + kBlock <= theirs.height; y += kBlock)
@@ -93,7 +96,7 @@ Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::
             Block const reference = blockAt(theirs, x, y, kBlock);
             if (reference.alpha <= 0.5) continue;
             if (scene.eye.empty() && elevationAt(scene, x, y, {theirs.width, theirs.height}) < kLandHides) continue;
-            double const off = blockAt(ours, x, y, kBlock).luminance / reference.luminance - 1.0;
+            double const off = blockAt(ours, rays * x, rays * y, rays * kBlock).luminance / reference.luminance - 1.0;
             errors.push_back(std::abs(off));
             result.bias += off;
             result.mean += std::abs(off);
@@ -113,7 +116,7 @@ TEST_P(ReferenceScene, IsDrawnAsBrightAsItIs) {
     Scene const& scene = GetParam();
     auto const theirs = assets::readFloatImage(kFolder / (scene.name + ".exr"));
     ASSERT_EQ(theirs.width, 96);
-    Agreement const a = agreement(scene, drawn(scene, ""), theirs);
+    Agreement const a = agreement(scene, drawn(scene, "", kRays), theirs, kRays);
     fmt::print("| {} | {} | {:.1f} % | {:+.1f} % | {:.1f} % |\n", scene.name, a.blocks, 100.0 * a.mean, 100.0 * a.bias, 100.0 * a.worst);
     ASSERT_GT(a.blocks, 60u);
     EXPECT_LT(a.mean, scene.mean);
@@ -127,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ReferenceScene, testing::ValuesIn(scenes()), [](aut
 TEST(Reference, IsWhatIsTracedToday) {
     Scene const scene = scenes().front();
     auto const stored = assets::readFloatImage(kFolder / (scene.name + ".exr"));
-    auto const traced = drawn(scene, "--reference 64");
+    auto const traced = drawn(scene, "--reference 64", 1);
     double sum = 0.0, squares = 0.0, mean = 0.0;
     int count = 0;
     for (int y = 0; y < stored.height; ++y)

@@ -149,7 +149,9 @@ TEST(Atmosphere, MappingsOfTheTablesHaveTheirInverses) {
         for (float mu : {1.0f, 0.7f, 0.2f, 0.03f, 0.0f, -0.03f, -0.2f, -0.4f}) {
             glm::vec2 const back = glsl::transmittanceArgument(size, glsl::transmittanceCoordinate(size, h, mu));
             EXPECT_NEAR(back.x, h, 0.001f * h + 0.5f);
-            if (mu >= 0.0f) EXPECT_NEAR(back.y, mu, 0.002f);  // below, the ground may be before the sun
+            if (mu >= 0.0f) {  // below, the ground may be before the sun
+                EXPECT_NEAR(back.y, mu, 0.002f);
+            }
             glm::vec2 const again = glsl::multipleArgument(size, glsl::multipleCoordinate(size, h, mu));
             EXPECT_NEAR(again.x, h, 0.001f * h);
             EXPECT_NEAR(again.y, mu, 1e-4f);
