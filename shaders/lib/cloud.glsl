@@ -240,7 +240,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     inside = max(inside, 0.0f);
     result.depth = full * inside;
     // What leaves through its sides its neighbours catch: the more, the more of the sky they cover.
-    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x * pow(max(1.0f - towers.cover, 0.02f), -0.33f);
+    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x * pow(max(1.0f - towers.cover, 0.02f), -0.14f);
     float crease = 0.17f * carve + 0.44f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
     result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);

@@ -53,15 +53,15 @@ GLSL_CONST float kForwardTurns = 0.41f; // per optical depth, beyond the two of 
 GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
 GLSL_CONST float kFewFade = 0.256f;
-GLSL_CONST float kManyTurns = 0.5f;
+GLSL_CONST float kManyTurns = 0.47f;
 GLSL_CONST float kManyFront = 0.34f;   // light comes in on other ways than the straight one: the depth of the face counts less
 GLSL_CONST float kManyFresh = 0.35f;   // light at a lit face that has yet to be scattered
-GLSL_CONST float kManySides = 28.0f;   // loss through the sides, by depth over width
+GLSL_CONST float kManySides = 13.0f;   // loss through the sides, by depth over width
 GLSL_CONST float kManyLeakFade = 0.85f; // near a face that is not lit
 GLSL_CONST float kManyThick = 1.27f;   // it takes a cloud to scatter many times: of its depth or width, whichever is less
 GLSL_CONST float kRim = 0.175f;        // near any face light that was scattered leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.1f;      // and how fast that ends
-GLSL_CONST float kFromAbove = 0.66f;
+GLSL_CONST float kFromAbove = 0.64f;
 GLSL_CONST float kFromBelow = 1.08f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
