@@ -66,15 +66,18 @@ OIIO::ImageSpec specOf(int width, int height, int channels, OIIO::TypeDesc type)
     return spec;
 }
 
+constexpr std::string_view kOurs = "luftpost:";  // before the names of what is ours in a header
+
 template <class T>
-void write(std::filesystem::path const& file, char const* format, ImageOf<T> const& image, OIIO::TypeDesc type) {
+void write(std::filesystem::path const& file, char const* format, ImageOf<T> const& image, OIIO::TypeDesc type, PictureFacts const& facts = {}) {
     CHECK(image.values.size() == image.index(0, image.height, 0) && image.width > 0, "an image of {} x {} with {} values",
           image.width, image.height, image.values.size());
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory{bytes};
     auto const output = OIIO::ImageOutput::create(format);
     if (!output) throw core::Error{file.string(), "", "expected OpenImageIO to write this format: " + OIIO::geterror()};
-    OIIO::ImageSpec const spec = specOf(image.width, image.height, image.channels, type);
+    OIIO::ImageSpec spec = specOf(image.width, image.height, image.channels, type);
+    for (auto const& [name, value] : facts) spec.attribute(std::string{kOurs} + name, static_cast<float>(value));
     output->set_ioproxy(&memory);
     if (!output->open(std::string{"image."} + format, spec) || !output->write_image(type, image.values.data()) ||
         !output->close())
@@ -96,11 +99,21 @@ FloatImage readFloatImage(std::filesystem::path const& file) {
     return readAll<float>(core::readFile(file), file.string(), OIIO::TypeDesc::FLOAT);
 }
 
+PictureFacts readFacts(std::filesystem::path const& file) {
+    std::string const bytes = core::readFile(file);
+    OIIO::Filesystem::IOMemReader memory{const_cast<char*>(bytes.data()), bytes.size()};
+    Input const input = openInput(file.string(), memory);
+    PictureFacts facts;
+    for (OIIO::ParamValue const& value : input->spec().extra_attribs)
+        if (value.name().string().starts_with(kOurs)) facts[value.name().string().substr(kOurs.size())] = static_cast<double>(value.get_float());
+    return facts;
+}
+
 void writePng(std::filesystem::path const& file, Image const& image) {
     write(file, "png", image, OIIO::TypeDesc::UINT8);
 }
-void writeExr(std::filesystem::path const& file, FloatImage const& image) {
-    write(file, "exr", image, OIIO::TypeDesc::FLOAT);
+void writeExr(std::filesystem::path const& file, FloatImage const& image, PictureFacts const& facts) {
+    write(file, "exr", image, OIIO::TypeDesc::FLOAT, facts);
 }
 
 struct ImageWriter::Parts {

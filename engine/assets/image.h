@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,10 +36,15 @@ Image decodeImage(std::string const& bytes, std::string const& name, int channel
 /// The same as 32-bit floats without any conversion of colour; all channels the file has.
 FloatImage readFloatImage(std::filesystem::path const& file);
 
+/// Numbers that a picture keeps beside its pixels, by name: "luftpost:..." attributes in its header.
+using PictureFacts = std::map<std::string, double>;
+/// Throws core::Error naming the file.
+PictureFacts readFacts(std::filesystem::path const& file);
+
 /// Write a new file and rename it. Throw core::Error when the disk refuses.
 void writePng(std::filesystem::path const& file, Image const& image);
 /// 32-bit float; channels named Y for one, R,G,B for three and R,G,B,A for four.
-void writeExr(std::filesystem::path const& file, FloatImage const& image);
+void writeExr(std::filesystem::path const& file, FloatImage const& image, PictureFacts const& facts = {});
 
 /// A picture of 4 channels that is never whole in memory: written band by band from the top, then renamed. The ending tells the kind, .png of bytes or
 /// .exr of floats. One thread at a time.

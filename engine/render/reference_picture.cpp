@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/core/check.h"
 #include "engine/render/reference_sky.h"
 #include "engine/sky/light.h"
 #include "shaders/lib/camera.glsl"
@@ -27,9 +28,10 @@ struct Pixel {
     double noise = 0.0;  // standard error of the luminance over the luminance
 };
 
-Pixel tracedPixel(ReferenceSky const& medium, Camera const& camera, glm::ivec2 const& at, glm::ivec2 const& size, int samples) {
+Pixel tracedPixel(ReferenceSky const& medium, Camera const& camera, glm::ivec2 const& at, glm::ivec2 const& size, int samples, int before) {
     core::Random mixer{static_cast<std::uint64_t>(at.y) << 32u | static_cast<std::uint64_t>(at.x)};
-    core::Random random{mixer.next()};
+    core::Random turned{mixer.next() ^ static_cast<std::uint64_t>(before)};
+    core::Random random{before > 0 ? turned.next() : turned.state()};
     glm::dvec4 sum{0.0};
     double squares = 0.0;
     auto const aspect = static_cast<double>(size.x) / size.y;
@@ -50,22 +52,21 @@ Pixel tracedPixel(ReferenceSky const& medium, Camera const& camera, glm::ivec2 c
 }
 }  // namespace
 
-ReferencePicture referencePicture(Snapshot const& snapshot, glm::ivec2 const& size, int samples, weather::NoiseVolumes const& noise, int workers) {
+ReferencePicture referencePicture(Snapshot const& snapshot, glm::ivec2 const& size, int samples, weather::NoiseVolumes const& noise, int workers, int before) {
     ReferenceSky const medium{snapshot, noise, workers};
-    ReferencePicture result{{size.x, size.y, 4, std::vector<float>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4)}, 0.0};
+    ReferencePicture result{{size.x, size.y, 4, std::vector<float>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4)}, 0.0, samples};
     std::vector<double> noises(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     std::atomic<int> next{0};
     auto const work = [&] {
-        for (int row = next++; row < size.y; row = next++)
-            for (int x = 0; x < size.x; ++x) {
-                glm::ivec2 const at{x, size.y - 1 - row};  // the image's first row is the top
-                glm::vec2 const centre = (glm::vec2{at} + 0.5f) / glm::vec2{size};
-                if (snapshot.camera.projection == Projection::dome && !glsl::insideDome(centre)) continue;
-                Pixel const pixel = tracedPixel(medium, snapshot.camera, at, size, samples);
-                std::size_t const index = static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-                for (std::size_t k = 0; k < 4; ++k) result.image.values[4 * index + k] = pixel.value[static_cast<int>(k)];
-                noises[index] = pixel.noise;
-            }
+        for (int i = next++; i < size.x * size.y; i = next++) {
+            glm::ivec2 const at{i % size.x, size.y - 1 - i / size.x};  // the image's first row is the top
+            glm::vec2 const centre = (glm::vec2{at} + 0.5f) / glm::vec2{size};
+            if (snapshot.camera.projection == Projection::dome && !glsl::insideDome(centre)) continue;
+            Pixel const pixel = tracedPixel(medium, snapshot.camera, at, size, samples, before);
+            auto const index = static_cast<std::size_t>(i);
+            for (std::size_t k = 0; k < 4; ++k) result.image.values[4 * index + k] = pixel.value[static_cast<int>(k)];
+            noises[index] = pixel.noise;
+        }
     };
     {
         std::vector<std::jthread> threads;
@@ -76,6 +77,15 @@ ReferencePicture referencePicture(Snapshot const& snapshot, glm::ivec2 const& si
     if (noises.empty()) return result;
     std::nth_element(noises.begin(), noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2), noises.end());
     result.noise = noises[noises.size() / 2];
+    return result;
+}
+
+ReferencePicture together(ReferencePicture const& a, ReferencePicture const& b) {
+    CHECK(a.image.values.size() == b.image.values.size() && a.samples + b.samples > 0, "{} values and {}", a.image.values.size(), b.image.values.size());
+    double const whole = static_cast<double>(a.samples) + b.samples, ofA = a.samples / whole, ofB = b.samples / whole;
+    ReferencePicture result{a.image, std::hypot(ofA * a.noise, ofB * b.noise), a.samples + b.samples};
+    for (std::size_t i = 0; i < result.image.values.size(); ++i)
+        result.image.values[i] = static_cast<float>(ofA * static_cast<double>(a.image.values[i]) + ofB * static_cast<double>(b.image.values[i]));
     return result;
 }
 

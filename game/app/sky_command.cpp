@@ -43,7 +43,7 @@ constexpr unsigned kUsualSeed = 1;
 /// The command's own options as the command line has them.
 struct SkyTexts {
     std::string look, fov, exposure, frames, step, plan, reference;
-    fs::path output, photo, beside;
+    fs::path output, photo, beside, onto;
     bool panorama = false;
     bool dome = false;
 };
@@ -59,7 +59,8 @@ struct SkyRequest {
     double step = 60.0;  // s
     fs::path output;
     double plan_km = 0.0;  // 0: a picture, else the plan of a square this wide
-    int samples = 0;       // 0: as the game draws it, else so many paths for every pixel
+    int samples = 0;       // 0: as the game draws it, else so many paths for every pixel,
+    fs::path onto;         // added to those of this picture
     std::vector<assets::PhotoFile> photos;  // to be compared with
     fs::path beside;                        // picture and photograph side by side
 };
@@ -110,9 +111,15 @@ void readPlan(SkyRequest& request, SkyTexts const& texts) {
 }
 
 void readReference(SkyRequest& request, SkyTexts const& texts) {
-    if (texts.reference.empty()) return;
+    if (texts.reference.empty()) {
+        if (!texts.onto.empty()) throw core::Error{"--onto", "", "expected only together with --reference"};
+        return;
+    }
     if (!(texts.plan.empty() && texts.photo.empty())) throw core::Error{"--reference", "", "expected not together with --plan or --photo"};
     request.samples = static_cast<int>(wholeOption("--reference", texts.reference, 1, kMostSamples));
+    if (texts.onto.empty()) return;
+    if (request.lapse || !isExr(request.output)) throw core::Error{"--onto", "", "expected one picture, FILE.exr, at -o"};
+    request.onto = texts.onto;
 }
 
 /// The photographs are read and refused here, before anything is drawn; which one is nearest is seen frame by frame.
@@ -243,7 +250,9 @@ public:
     }
     /// Whether the frame is wanted scene-linear.
     bool linear() const { return isExr(request_.output); }
-    void add(assets::FloatImage const& picture, long long frame) const { assets::writeExr(fileOfFrame(request_, request_.output, frame), picture); }
+    void add(assets::FloatImage const& picture, long long frame, assets::PictureFacts const& facts = {}) const {
+        assets::writeExr(fileOfFrame(request_, request_.output, frame), picture, facts);
+    }
     void add(assets::Image const& picture, long long frame) {
         if (film_) film_->add(picture);
         else assets::writePng(fileOfFrame(request_, request_.output, frame), picture);
@@ -257,14 +266,27 @@ private:
     std::optional<VideoFile> film_;
 };
 
+/// A path-traced picture that was kept, to be added to.
+render::ReferencePicture keptPicture(fs::path const& file, glm::ivec2 const& size) {
+    assets::PictureFacts const facts = assets::readFacts(file);
+    assets::FloatImage image = assets::readFloatImage(file);
+    double const samples = facts.contains("samples") ? facts.at("samples") : 0.0;
+    if (!(samples >= 1.0 && samples <= static_cast<double>(kMostSamples)) || !facts.contains("noise") || image.width != size.x || image.height != size.y || image.channels != 4)
+        throw core::Error{file.string(), "", fmt::format("expected a picture of {} x {} that --reference made", size.x, size.y)};
+    return {std::move(image), facts.at("noise"), static_cast<int>(samples)};
+}
+
 /// Path-traced frames; says how noisy each is.
 void traceFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
     weather::NoiseVolumes const noise = noiseVolumes(common.settings.flight.clouds.noise);
     PictureFiles files{request, common.size};
+    std::optional<render::ReferencePicture> kept;
+    if (!request.onto.empty()) kept = keptPicture(request.onto, common.size);
     for (long long frame = request.firstFrame; frame <= request.lastFrame; ++frame) {
         render::Snapshot const snapshot = snapshotOf(request, scene, common, static_cast<double>(frame) * request.step);
-        auto const traced = render::referencePicture(snapshot, common.size, request.samples, noise, toolWorkers());
-        if (files.linear()) files.add(traced.image, frame);
+        auto traced = render::referencePicture(snapshot, common.size, request.samples, noise, toolWorkers(), kept ? kept->samples : 0);
+        if (kept) traced = render::together(*kept, traced);
+        if (files.linear()) files.add(traced.image, frame, {{"samples", traced.samples}, {"noise", traced.noise}});
         else files.add(render::developed(traced.image, snapshot.graphics.exposure_ev), frame);
         fmt::print("{}: median noise {:.2f} %\n", fileOfFrame(request, request.output, frame).string(), 100.0 * traced.noise);
     }
@@ -327,6 +349,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear); of a time lapse also FILE.mp4, .mkv, .webm, by ffmpeg");
     sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
     sky->add_option("--reference", texts->reference, "SPP: path-traced, with so many paths for each pixel; needs no OpenGL");
+    sky->add_option("--onto", texts->onto, "FILE.exr: with --reference, adds its paths to those of a picture of the same sky that it made before");
     sky->add_option("--photo", texts->photo, "FILE or folder: says how alike the colours are (the photograph nearest in time)");
     sky->add_option("--side-by-side", texts->beside, "FILE.png: picture and photograph beside each other, with --photo");
     sky->add_option("--exposure", texts->exposure, "stops brighter than automatic");
