@@ -44,6 +44,7 @@ void prepareContext() {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (epoxy_has_gl_extension("GL_KHR_parallel_shader_compile")) glMaxShaderCompilerThreadsKHR(~0u);  // as many as the driver likes
 }
 
 int errorCount() { return errors; }

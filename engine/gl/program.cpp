@@ -21,47 +21,73 @@ std::string programLog(GLuint id) {
     return log;
 }
 
-/// A shader object for the time of linking.
+/// A shader object for the time of linking. Its compiler is not waited for before it is asked.
 class Shader {
 public:
-    explicit Shader(ShaderText const& text) : id_{glCreateShader(api::number(text.stage))} {
+    explicit Shader(ShaderText const& text) : id_{glCreateShader(api::number(text.stage))}, files_{text.source.files} {
         char const* code = text.source.text.c_str();
         auto const length = static_cast<GLint>(text.source.text.size());
         glShaderSource(id_, 1, &code, &length);
         glCompileShader(id_);
-        GLint compiled = GL_FALSE;
-        glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
-        if (compiled) return;
-        std::string const log = assets::namedMessages(shaderLog(id_), text.source.files);
-        glDeleteShader(id_);
-        throw core::Error{"shaders/" + text.source.files.front(), "", "expected a shader that compiles, found\n" + log};
     }
     ~Shader() {
         if (id_) glDeleteShader(id_);
     }
-    Shader(Shader&& other) noexcept : id_{std::exchange(other.id_, 0u)} {}
+    Shader(Shader&& other) noexcept : id_{std::exchange(other.id_, 0u)}, files_{std::move(other.files_)} {}
     GLuint id() const { return id_; }
+    /// Throws when it did not compile.
+    void check() const {
+        GLint compiled = GL_FALSE;
+        glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
+        if (compiled) return;
+        throw core::Error{"shaders/" + files_.front(), "", "expected a shader that compiles, found\n" + assets::namedMessages(shaderLog(id_), files_)};
+    }
 
 private:
     GLuint id_;
+    std::vector<std::string> files_;
 };
 }  // namespace
 
-Program::Program(std::span<ShaderText const> stages, std::string_view label) {
+struct Program::Pending {
     std::vector<Shader> shaders;
-    for (ShaderText const& stage : stages) shaders.emplace_back(stage);
-    id_ = glCreateProgram();
-    for (Shader const& shader : shaders) glAttachShader(id_, shader.id());
-    glLinkProgram(id_);
-    for (Shader const& shader : shaders) glDetachShader(id_, shader.id());
+    std::string label;
+};
+
+Program::Program() = default;
+
+Program::Program(std::span<ShaderText const> stages, std::string_view label) : Program{begun(stages, label)} { finish(); }
+
+Program Program::begun(std::span<ShaderText const> stages, std::string_view label) {
+    Program program;
+    program.pending_ = std::make_unique<Pending>();
+    program.pending_->label = label;
+    for (ShaderText const& stage : stages) program.pending_->shaders.emplace_back(stage);
+    program.id_ = glCreateProgram();
+    for (Shader const& shader : program.pending_->shaders) glAttachShader(program.id_, shader.id());
+    glLinkProgram(program.id_);
+    return program;
+}
+
+void Program::finish() {
+    if (!pending_) return;
+    auto const pending = std::move(pending_);
+    for (Shader const& shader : pending->shaders) shader.check();
     GLint linked = GL_FALSE;
     glGetProgramiv(id_, GL_LINK_STATUS, &linked);
-    if (!linked) {
-        std::string const log = programLog(id_);
-        glDeleteProgram(std::exchange(id_, 0u));
-        throw core::Error{std::string{label}, "link", "expected a program that links, found\n" + log};
-    }
-    api::label(GL_PROGRAM, id_, label);
+    if (!linked) throw core::Error{pending->label, "link", "expected a program that links, found\n" + programLog(id_)};
+    for (Shader const& shader : pending->shaders) glDetachShader(id_, shader.id());
+    api::label(GL_PROGRAM, id_, pending->label);
+}
+
+Program::Program(Program&& other) noexcept
+    : pending_{std::move(other.pending_)}, id_{std::exchange(other.id_, 0u)}, locations_{std::move(other.locations_)} {}
+
+Program& Program::operator=(Program&& other) noexcept {
+    std::swap(pending_, other.pending_);
+    std::swap(id_, other.id_);
+    std::swap(locations_, other.locations_);
+    return *this;
 }
 
 Program::~Program() {

@@ -1,5 +1,6 @@
 // Owner of a linked program.
 #pragma once
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,17 +21,16 @@ struct ShaderText {
 /// Vertex + fragment (+ geometry), or compute. Id 0 is empty.
 class Program {
 public:
-    Program() = default;
+    Program();
     /// Compiles and links; throws core::Error with the compiler's messages in our files and lines.
     explicit Program(std::span<ShaderText const> stages, std::string_view label = {});
+    /// Hands it to the driver and does not wait, so that a driver with threads compiles several side by side. Not to be used before finish().
+    static Program begun(std::span<ShaderText const> stages, std::string_view label = {});
+    /// Waits for one that was begun; throws as the constructor does. Does nothing else.
+    void finish();
     ~Program();
-    Program(Program&& other) noexcept
-        : id_{std::exchange(other.id_, 0u)}, locations_{std::move(other.locations_)} {}
-    Program& operator=(Program&& other) noexcept {
-        std::swap(id_, other.id_);
-        std::swap(locations_, other.locations_);
-        return *this;
-    }
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
     unsigned id() const { return id_; }
 
     void use() const;
@@ -59,6 +59,8 @@ public:
 private:
     int location(std::string_view name) const;
 
+    struct Pending;  // what finish() asks for
+    std::unique_ptr<Pending> pending_;
     unsigned id_ = 0;
     mutable std::unordered_map<std::string, int> locations_;
 };

@@ -19,9 +19,9 @@ std::string readText(fs::path const& file) {
 }
 }  // namespace
 
-Program ProgramLibrary::build(Entry& entry) {
+std::vector<ShaderText> ProgramLibrary::read(Entry& entry) {
     Times times;
-    auto const read = [&](std::string const& relative) {
+    auto const readOne = [&](std::string const& relative) {
         fs::path const file = platform::dataFile("shaders/" + relative);
         std::error_code error;
         times[file] = fs::last_write_time(file, error);
@@ -30,13 +30,18 @@ Program ProgramLibrary::build(Entry& entry) {
     std::vector<ShaderText> texts;
     try {
         for (StageFile const& stage : entry.stages)
-            texts.push_back({stage.stage, assets::resolveShader(stage.file, read, entry.defines)});
-        entry.times = times;
-        return Program{texts, entry.name};
+            texts.push_back({stage.stage, assets::resolveShader(stage.file, readOne, entry.defines)});
     } catch (core::Error const&) {
-        if (!times.empty()) entry.times.insert(times.begin(), times.end());
+        entry.times.insert(times.begin(), times.end());
         throw;
     }
+    entry.times = times;
+    return texts;
+}
+
+void ProgramLibrary::finish() {
+    compiling_ = Compiling::oneByOne;
+    for (Entry& entry : entries_) entry.program.finish();
 }
 
 bool ProgramLibrary::changed(Entry const& entry) {
@@ -56,7 +61,7 @@ Program const& ProgramLibrary::find(std::vector<StageFile> stages, Defines const
         if (known.name == entry.name) return known.program;
     entry.stages = std::move(stages);
     entry.defines = defines;
-    entry.program = build(entry);
+    entry.program = compiling_ == Compiling::together ? Program::begun(read(entry), entry.name) : build(entry);
     return entries_.emplace_back(std::move(entry)).program;
 }
 

@@ -19,6 +19,14 @@ struct GraphicsStages {
 class ProgramLibrary {
 public:
     using Defines = std::vector<std::string>;  // "NAME VALUE"
+    enum class Compiling {
+        oneByOne,  // what is asked for is ready, or throws
+        together   // until finish() all programs are begun and none is waited for
+    };
+
+    explicit ProgramLibrary(Compiling compiling = Compiling::oneByOne) : compiling_{compiling} {}
+    /// Waits for all programs that were begun; from here on they are made one by one. Throws core::Error.
+    void finish();
 
     /// shaders/pass/NAME.vert, NAME.frag and, if there is one, NAME.geom. Throws core::Error.
     Program const& graphics(std::string const& name, Defines const& defines = {});
@@ -49,9 +57,11 @@ private:
     };
 
     Program const& find(std::vector<StageFile> stages, Defines const& defines);
-    static Program build(Entry& entry);
+    static std::vector<ShaderText> read(Entry& entry);
+    static Program build(Entry& entry) { return Program{read(entry), entry.name}; }
     static bool changed(Entry const& entry);
 
+    Compiling compiling_;
     std::deque<Entry> entries_;
 };
 }  // namespace luftpost::gl

@@ -1,5 +1,8 @@
 #include "engine/render/cloud_pass.h"
 
+#include <fmt/format.h>
+
+#include "engine/gl/context.h"
 #include "engine/gl/draw.h"
 
 namespace luftpost::render {
@@ -15,6 +18,10 @@ struct RayListHead {
     std::array<std::uint32_t, 4> fillGroups{0, 1, 1, 0};
 };
 
+/// Rays that the march takes together, as the shader's MARCH_GROUP wants them.
+glm::ivec2 marchGroup() { return gl::isSoftware() ? glm::ivec2{8, 8} : glm::ivec2{32, 16}; }
+gl::ProgramLibrary::Defines marchDefines() { return {fmt::format("MARCH_GROUP {}", marchGroup().x * marchGroup().y)}; }
+
 std::size_t pixelCount(glm::ivec2 const& size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 }  // namespace
 
@@ -22,9 +29,8 @@ CloudPass::Store::Store(glm::ivec2 const& size)
     : light{gl::Format::rgba16f, size, 1, "cloud light"}, facts{gl::Format::rgba16f, size, 1, "cloud facts"} {}
 
 CloudPass::CloudPass(gl::ProgramLibrary& programs)
-    : marchProgram_{programs, "cloud_march"},
-      resolveProgram_{programs.compute("cloud_resolve")},
-      listProgram_{programs, "cloud_march_list"},
+    : marchProgram_{programs, "cloud_march", marchDefines()},
+      resolveProgram_{programs.compute("cloud_resolve", marchDefines())},
       fillProgram_{programs.compute("cloud_fill")},
       compositeProgram_{programs.compute("cloud_composite")},
       scene_{programs},
@@ -55,6 +61,8 @@ void CloudPass::takeStore(glm::ivec2 const& size) {
         newest_ = 1 - newest_;
         std::size_t const list = sizeof(RayListHead) + (pixelCount(size) - pixelCount(size / kWidestBlock)) * sizeof(std::uint32_t);
         if (rays_.bytes() != list) rays_ = gl::Buffer{list, "cloud ray list"};
+    } else if (rays_.bytes() == 0) {
+        rays_ = gl::Buffer{sizeof(RayListHead), "cloud ray list"};
     }
     std::optional<Store>& store = stores_[static_cast<std::size_t>(newest_)];
     if (!store || store->light.size() != size) store.emplace(size);
@@ -67,12 +75,15 @@ void CloudPass::march(FrameContext const& context) {
     }
     takeStore(context.targets.size);
     scene_.bind();
-    marchProgram_.of(scene_).use();
+    rays_.bindStorage(kRayListBinding);
+    gl::Program const& program = marchProgram_.of(scene_);
+    program.use();
+    program.set("asked", 0);
     context.targets.depth.bind(0);
     newest().light.bindImage(0, gl::Access::readWrite);
     newest().facts.bindImage(1, gl::Access::readWrite);
     int const side = scene_.block().march.w;
-    gl::dispatchOver((context.targets.size + side - 1) / side, kGroup);
+    gl::dispatchOver((context.targets.size + side - 1) / side, marchGroup());
     gl::barrier(gl::Barrier::all);
 }
 
@@ -105,7 +116,9 @@ void CloudPass::findAgain(FrameContext const& context) {
 }
 
 void CloudPass::marchAsked() {
-    listProgram_.of(scene_).use();
+    gl::Program const& program = marchProgram_.of(scene_);
+    program.use();
+    program.set("asked", 1);
     gl::dispatchIndirect(rays_, offsetof(RayListHead, marchGroups));
     gl::barrier(gl::Barrier::image);
     fillProgram_.use();

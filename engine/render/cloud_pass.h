@@ -57,7 +57,6 @@ private:
 
     CloudProgram marchProgram_;
     gl::Program const& resolveProgram_;
-    CloudProgram listProgram_;
     gl::Program const& fillProgram_;
     gl::Program const& compositeProgram_;
     CloudScene scene_;

@@ -10,8 +10,8 @@ namespace luftpost::render {
 /// their whole price and a GPU its registers. Both are made at once, so that no storm ever waits for a compiler. Throws core::Error.
 class CloudProgram {
 public:
-    CloudProgram(gl::ProgramLibrary& programs, std::string const& name)
-        : whole_{programs.compute(name)}, plain_{programs.compute(name, {"CLOUD_TOWERS false"})} {}
+    CloudProgram(gl::ProgramLibrary& programs, std::string const& name, gl::ProgramLibrary::Defines defines = {})
+        : whole_{programs.compute(name, defines)}, plain_{programs.compute(name, (defines.emplace_back("CLOUD_TOWERS false"), defines))} {}
 
     gl::Program const& of(CloudScene const& scene) const { return scene.hasTowers() ? whole_ : plain_; }
 

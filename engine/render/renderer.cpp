@@ -114,6 +114,7 @@ T& sized(std::optional<T>& targets, glm::ivec2 const& size) {
 struct Renderer::Parts {
     explicit Parts(RendererOptions const& wanted)
         : options{wanted},
+          programs{gl::ProgramLibrary::Compiling::together},
           sky{programs},
           clouds{programs},
           land{wanted.workers},
@@ -131,7 +132,9 @@ struct Renderer::Parts {
           ui{programs},
           resample{programs.graphics(gl::GraphicsStages{"fullscreen", "resample", ""})},
           frameBuffer{sizeof(glsl::FrameBlock), "frame"},
-          display{std::in_place, wanted.size} {}
+          display{std::in_place, wanted.size} {
+        programs.finish();
+    }
 
     void begin(Snapshot const& snapshot, Tile const& tile);
     void upload() { frameBuffer.update(gl::bytesOf(frame)); }

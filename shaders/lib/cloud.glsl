@@ -178,6 +178,15 @@ GLSL_CONST float kKnobs = 0.5f;          // and between the billows on them
 GLSL_CONST float kShed = 140.0f;         // m, what is thinner than that beside a tower is none of it
 GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as a layer's carving
 
+// How far outside a point is as far as a step tells; where that is certain, the rest is not asked for. On a processor the function
+// ends there; on a GPU, and in software GL, which skips nothing, the rest is worked out all the same and not taken: one by one the
+// textures would each be waited for.
+#ifdef __cplusplus
+#define LEAVE_OUTSIDE(value) result.outside = (value); if (result.outside >= reaches) return result
+#else
+#define LEAVE_OUTSIDE(value) result.outside = left ? result.outside : (value); left = left || result.outside >= reaches
+#endif
+
 // A layer with a body, its anvil apart.
 GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                      planeSampler curl, float lod) {
@@ -188,13 +197,12 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     towers.cover = towerCover(c.cover, s);
     float blur = lod > 0.0f ? 16.0f * (exp2(lod) - 1.0f) : 0.0f;  // m; half of it reaches outside
     float reaches = 0.5f * blur;
-    result.outside = (c.rank - towers.cover - s.look.y) * s.body.x;
-    if (result.outside >= reaches) return result;
+    bool left = false;
+    LEAVE_OUTSIDE((c.rank - towers.cover - s.look.y) * s.body.x);
     vec4 plane = vec4(0.0f);
-    if (lod < kCoarseLod) plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
+    plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
     float margin = layerMargin(towers, s, plane.z);
-    result.outside = -margin * s.body.x;
-    if (result.outside >= reaches) return result;
+    LEAVE_OUTSIDE(-margin * s.body.x);
 
     // Metres inside the envelope's faces.
     float width = towerWidth(towers.cover, s);
@@ -209,8 +217,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
         radius = s.body.x * sqrt(max(towers.cover - width * min(above / top, 1.0f), 0.0f));
         belowTop = roundedMin(top + kShed - above, radius - s.body.x * sqrt(max(towers.cover - margin, 0.0f)), kTowerRound);
     }
-    result.outside = -belowTop;
-    if (result.outside >= reaches) return result;
+    LEAVE_OUTSIDE(-belowTop);
     float lens = s.form.y;
     float aboveBase = (above - e.low) / sqrt(1.0f + lens * lens * e.steep * e.steep);
 
@@ -227,15 +234,14 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     float baseShare = clamp(3.0f * lens, 0.2f, 1.0f);
     float shoulder = min(120.0f, 0.2f * thickness);
     float inside = roundedMin(belowTop - carve, aboveBase - baseShare * carve, shoulder);
-    result.outside = -inside;
-    if (result.outside >= reaches) return result;
+    LEAVE_OUTSIDE(-inside);
     float eat = 0.5f;
-    if (lod < kCoarseLod && inside < ripple + soft) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
+    if (!left && lod < kCoarseLod && inside < ripple + soft) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
     inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
-    result.outside = max(-inside, 0.0f);
+    if (!left) result.outside = max(-inside, 0.0f);
     float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
-    if (edge <= 0.0f) return result;
+    if (left || edge <= 0.0f) return result;
     float full = c.water * s.look.w;
     inside = max(inside, 0.0f);
     result.depth = full * inside;

@@ -205,48 +205,40 @@ struct Walk {
     int left;      // thirds of steps that may still be taken
 };
 
-/// Where between `outside` and `inside` a cloud begins, so that neighbouring rays find the same face.
-float faceBetween(float outside, float inside, int layers, vec3 direction, float h, float lod) {
-    for (int i = 0; i < 3; ++i) {
-        float middle = 0.5 * (outside + inside);
-        if (cloudOf(layers, placeAt(direction, middle, h), lod).extinction > 0.0) inside = middle;
-        else outside = middle;
-    }
-    return inside;
-}
-
-/// The same of outlines, asked without volumes; the last place found outside. Neighbouring rays so begin their full steps
-/// side by side, and meet or miss the same thin turret.
-float outlineBetween(float outside, float inside, int layers, vec3 direction, float h) {
-    for (int i = 0; i < 3; ++i) {
-        float middle = 0.5 * (outside + inside);
-        if (cloudMayBeOf(layers, placeAt(direction, middle, h))) inside = middle;
-        else outside = middle;
-    }
-    return outside;
-}
-
 // The loops stand one after the other, each with little in it: rays that are through with one wait for the rest, and then all do
-// the next together.
+// the next together. What was found between two steps is narrowed down in the same loop, by halves: there is one place where it asks.
+const int kHalves = 3;
 
-/// In cheap steps on to where there may be cloud; false when the stretch between two faces ends before.
+/// In cheap steps on to where there may be cloud, to the last place found outside; false when the stretch between two faces ends before.
+/// Neighbouring rays so begin their full steps side by side, and meet or miss the same thin turret.
 bool findOutline(vec3 direction, float h, inout Walk walk) {
     bool found = false;
+    int halves = kHalves;
+    float outside = walk.t, inside = walk.t, at = walk.t;
     bool on = walk.t < walk.end && walk.left > 0;
     if (on) do {
-        --walk.left;  // a third of a full one's price
-        found = cloudMayBeOf(walk.layers, placeAt(direction, walk.t, h));
-        if (!found) {
-            walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
-            walk.t += walk.stride;
+        bool cloud = cloudMayBeOf(walk.layers, placeAt(direction, at, h));
+        if (found) {
+            --halves;
+            inside = cloud ? at : inside;
+            outside = cloud ? outside : at;
+        } else {
+            --walk.left;  // a third of a full one's price
+            found = cloud;
+            inside = walk.t;
+            outside = walk.t - walk.stride;
+            if (!found) {
+                walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
+                walk.t += walk.stride;
+            }
         }
-        on = !found && walk.t < walk.end && walk.left > 0;
+        at = found ? 0.5 * (outside + inside) : walk.t;
+        on = found ? halves > 0 : walk.t < walk.end && walk.left > 0;
     } while (on);
     if (!found) {
         walk.t = min(walk.t, walk.end);
         return false;
     }
-    float outside = outlineBetween(walk.t - walk.stride, walk.t, walk.layers, direction, h);
     walk.stride = walk.stride > 0.0 ? min(kSearch * longestStep(walk.t), outside - walk.t + walk.stride) : 0.0;
     walk.t = outside;
     return true;
@@ -270,17 +262,25 @@ bool nextOutline(vec3 direction, float h, float end, inout Walk walk) {
     return found;
 }
 
-/// In full steps on to a cloud's face; false when there is none for some of them.
+/// In full steps on to a cloud's face, so that neighbouring rays find the same one; false when there is none for some of them.
 bool findFace(vec3 direction, float h, inout Walk walk) {
-    int empty = 0;
+    int empty = 0, halves = kHalves;
     bool found = false;
-    float lod = 0.0;
+    float lod = 0.0, outside = walk.t, at = walk.t;
     bool on = walk.t < walk.end && walk.left > 0;
     if (on) do {
-        lod = lodAt(walk.t, walk.stride);
-        CloudSample here = cloudOf(walk.layers, placeAt(direction, walk.t, h), lod);
-        found = here.extinction > 0.0;
-        if (!found) {
+        lod = found ? lod : lodAt(walk.t, walk.stride);
+        CloudSample here = cloudOf(walk.layers, placeAt(direction, at, h), lod);
+        bool cloud = here.extinction > 0.0;
+        if (found) {
+            --halves;
+            walk.t = cloud ? at : walk.t;
+            outside = cloud ? outside : at;
+        } else if (cloud) {
+            found = true;
+            halves = walk.stride > 0.0 ? kHalves : 0;  // with no stride the ray stands where it was
+            outside = walk.t - walk.stride;
+        } else {
             // On to the face, whose distance is known to first order: short steps where a turret may be missed.
             float longest = longestStep(walk.t);
             float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
@@ -289,14 +289,14 @@ bool findFace(vec3 direction, float h, inout Walk walk) {
             walk.t += walk.stride;
             ++empty;
         }
-        on = !found && empty < kEmptySteps && walk.t < walk.end && walk.left > 0;
+        at = found ? 0.5 * (outside + walk.t) : walk.t;
+        on = found ? halves > 0 : empty < kEmptySteps && walk.t < walk.end && walk.left > 0;
     } while (on);
     if (!found) {
         walk.stride = 0.0;  // all behind is known: nowhere to go back to
         walk.t = min(walk.t, walk.end);
         return false;
     }
-    if (walk.stride > 0.0) walk.t = faceBetween(walk.t - walk.stride, walk.t, walk.layers, direction, h, lod);
     return true;
 }
 

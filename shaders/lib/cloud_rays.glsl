@@ -23,15 +23,20 @@ layout(std430, binding = 8) buffer CloudRayList {
     uint pixels[];      // x + 65536 y
 } rayList;
 
-const uint kRayGroup = 64u;
+// Rays of a work group of cloud_march, 64 or 512. With 512 a GPU's compiler must spare registers, and more of them run at once: a third
+// faster. Software GL has nothing to gain by it, and few groups to deal out: a third slower.
+#ifndef MARCH_GROUP
+#define MARCH_GROUP 64
+#endif
+const uint kFillGroup = 64u;  // of cloud_fill
 
 void askRay(ivec2 pixel) {
     uint place = atomicAdd(rayList.marchGroups.w, 1u);
     if (place >= uint(rayList.pixels.length())) return;
     rayList.pixels[place] = uint(pixel.x) | uint(pixel.y) << 16;
     uint budget = rayList.fillGroups.w;
-    if (place < budget) atomicMax(rayList.marchGroups.x, place / kRayGroup + 1u);
-    else atomicMax(rayList.fillGroups.x, (place - budget) / kRayGroup + 1u);
+    if (place < budget) atomicMax(rayList.marchGroups.x, place / uint(MARCH_GROUP) + 1u);
+    else atomicMax(rayList.fillGroups.x, (place - budget) / kFillGroup + 1u);
 }
 
 /// The pixel at `place` of the list; x below 0 when the list is shorter.

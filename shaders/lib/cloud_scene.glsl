@@ -190,16 +190,16 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
     if (grid < 2) leaves = min(leaves, max(kNearWay, 0.7 * sliceWay(toward)));
     float blur = log2(max(first * (1.0 / 32.0), 2.0));
-    float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
-    float start = first;
-    float stretch = 1.9 * first;
-    int i = 1;
-    if (start < leaves && sum < kDeepest) do {
-        if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
+    float sum = 0.0;
+    float start = 0.0;
+    float stretch = first;
+    int i = 0;
+    do {
+        if (grid == 2 && i > 0) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
+        sum += cloudAt(p + toward * at + sideways, i > 0 ? kCoarseLod : max(blur, lod)).extinction * stretch;
         start += stretch;
         stretch *= i < 3 ? 1.9 : 3.0;
         ++i;
