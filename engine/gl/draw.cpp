@@ -40,6 +40,16 @@ void apply(DrawState const& state) {
     glPolygonOffset(state.polygonOffset.x, state.polygonOffset.y);
 }
 
+void clearWindow(glm::ivec4 const& box, glm::vec3 const& colour) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(box.x, box.y, box.z, box.w);
+    glm::vec4 const value{colour, 1.0f};
+    glClearBufferfv(GL_COLOR, 0, &value.x);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void drawArrays(VertexArray const& vertices, Primitive primitive, int first, int count, int instances) {
     glBindVertexArray(vertices.id());
     glDrawArraysInstanced(api::number(primitive), first, count, instances);

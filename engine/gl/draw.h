@@ -33,6 +33,9 @@ inline DrawState opaqueState() {
     return state;
 }
 
+/// One colour (as the screen takes it) in a box of framebuffer 0: x, y from the lower left, width, height.
+void clearWindow(glm::ivec4 const& box, glm::vec3 const& colour);
+
 void drawArrays(VertexArray const& vertices, Primitive primitive, int first, int count, int instances = 1);
 /// `firstIndex` counts indices; `baseVertex` is added to each.
 void drawElements(VertexArray const& vertices, Primitive primitive, int count, std::size_t firstIndex = 0,

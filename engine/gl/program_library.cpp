@@ -39,9 +39,13 @@ std::vector<ShaderText> ProgramLibrary::read(Entry& entry) {
     return texts;
 }
 
-void ProgramLibrary::finish() {
+void ProgramLibrary::finish(Progress const& progress) {
     compiling_ = Compiling::oneByOne;
-    for (Entry& entry : entries_) entry.program.finish();
+    std::size_t ready = 0;
+    for (Entry& entry : entries_) {
+        if (progress) progress(ready++, entries_.size());
+        entry.program.finish();
+    }
 }
 
 bool ProgramLibrary::changed(Entry const& entry) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ public:
     };
 
     explicit ProgramLibrary(Compiling compiling = Compiling::oneByOne) : compiling_{compiling} {}
-    /// Waits for all programs that were begun; from here on they are made one by one. Throws core::Error.
-    void finish();
+    using Progress = std::function<void(std::size_t ready, std::size_t all)>;
+    /// Waits for all programs that were begun and says how far it is; from here on they are made one by one. Throws core::Error.
+    void finish(Progress const& progress = {});
 
     /// shaders/pass/NAME.vert, NAME.frag and, if there is one, NAME.geom. Throws core::Error.
     Program const& graphics(std::string const& name, Defines const& defines = {});

@@ -133,7 +133,7 @@ struct Renderer::Parts {
           resample{programs.graphics(gl::GraphicsStages{"fullscreen", "resample", ""})},
           frameBuffer{sizeof(glsl::FrameBlock), "frame"},
           display{std::in_place, wanted.size} {
-        programs.finish();
+        programs.finish(options.progress);
     }
 
     void begin(Snapshot const& snapshot, Tile const& tile);

@@ -1,6 +1,8 @@
 // Draws snapshots: the passes and their order. GL thread only.
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct RendererOptions {
     glm::ivec2 size{1280, 720};    // of the finished picture, pixels
     int workers = 1;               // threads that make chunks of land
     bool hotReload = false;        // look for changed shaders once a second
+    std::function<void(std::size_t ready, std::size_t all)> progress{};  // of the shaders, while they are compiled
 };
 
 /// What one pass took, in the order of drawing. Filled when timing is on.

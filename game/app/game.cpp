@@ -1,6 +1,7 @@
 #include "game/app/game.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/frames.h"
 #include "engine/gl/context.h"
+#include "engine/gl/draw.h"
 #include "game/app/instruments.h"
 #include "game/app/live_weather.h"
 #include "game/app/player_files.h"
@@ -19,9 +21,32 @@ namespace {
 constexpr double kPromptSeconds = 60.0;  // the first minute
 constexpr double kShownAge = 1.0;         // s: a line that stays is neither coming nor going
 constexpr double kSaveAfter = 0.5;       // s without another change
+constexpr std::chrono::milliseconds kBetweenBars{100};
 
-render::RendererOptions rendererOptions(RunOptions const& run) {
-    return {.size = run.size, .workers = run.workers, .hotReload = !run.headless};
+/// Some drivers take a minute for the shaders when they see them for the first time: a bar tells how far they are.
+void showProgress(platform::Surface& surface, std::size_t ready, std::size_t all) {
+    constexpr glm::vec3 kBack{0.10f, 0.16f, 0.24f}, kRail{0.18f, 0.26f, 0.36f}, kBar{0.86f, 0.90f, 0.94f};
+    glm::ivec2 const size = surface.size();
+    glm::ivec4 const rail{size.x / 4, size.y / 2, size.x / 2, std::max(size.y / 120, 2)};
+    gl::clearWindow({0, 0, size}, kBack);
+    gl::clearWindow(rail, kRail);
+    gl::clearWindow({rail.x, rail.y, static_cast<int>(static_cast<std::size_t>(rail.z) * ready / all), rail.w}, kBar);
+    surface.setTitle("Luftpost: preparing the shaders");
+    surface.swap();
+    surface.poll();
+}
+
+render::RendererOptions rendererOptions(RunOptions const& run, platform::Surface& surface) {
+    render::RendererOptions options{.size = run.size, .workers = run.workers, .hotReload = !run.headless};
+    if (!surface.hasWindow()) return options;
+    showProgress(surface, 0, 1);
+    using Clock = std::chrono::steady_clock;
+    options.progress = [&surface, shown = Clock::now()](std::size_t ready, std::size_t all) mutable {
+        if (Clock::now() - shown < kBetweenBars) return;  // a swap may wait for the screen
+        showProgress(surface, ready, all);
+        shown = Clock::now();
+    };
+    return options;
 }
 
 /// Where a parcel released now would land, with the wind that is here.
@@ -47,11 +72,14 @@ Game::Game(PlayOptions options, platform::Surface& surface)
       stored_{run_.settingsFile},
       session_{std::make_unique<Session>(plan_)},
       feed_{run_.feed},
-      renderer_{rendererOptions(run_)},
+      renderer_{rendererOptions(run_, surface_)},
       models_{renderer_},
       desk_{plan_.plan.weather.source} {
     if (!run_.photos.empty()) photo_.emplace(run_.photos);
-    if (surface_.hasWindow()) sounds_.emplace();
+    if (surface_.hasWindow()) {
+        surface_.setTitle("Luftpost");
+        sounds_.emplace();
+    }
     if (run_.watch) replay_.emplace(plan_, *run_.ticks);
     if (!run_.save.empty()) career_ = loadCareer(run_.save);
     restart();
