@@ -158,6 +158,10 @@ GLSL_FUNCTION float roundedMin(float a, float b, float round) {
     return min(a, b) - 0.25f * round * h * h;
 }
 
+// m of a cloud's full extinction on a way of `m` in from a face where it begins softly, over `soft` m.
+GLSL_FUNCTION float softDepth(float m, float soft) { return m < soft ? 0.5f * m * m / soft : m - 0.5f * soft; }
+GLSL_CONST float kSoftFace = 0.2f;  // of an edge's softness, what light finds of it
+
 // What the fine noise takes from the faces, 0..1: wisps at the base, billows above, as `share` of the height goes from 0
 // to a fifth; a quarter of it is four times finer.
 GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sampler3D detail, float lod) {
@@ -244,12 +248,13 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     if (left || edge <= 0.0f) return result;
     float full = c.water * s.look.w;
     inside = max(inside, 0.0f);
-    result.depth = full * inside;
+    float softFace = max(kSoftFace * soft, 1e-3f);
+    result.depth = full * softDepth(inside, softFace + kSoftFace * blur);
     // What leaves through its sides its neighbours catch: the more, the more of the sky they cover.
     result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x * pow(max(1.0f - towers.cover, 0.02f), -0.14f);
-    float crease = 0.17f * carve + 0.44f * ripple * eat;  // m, what the billows around stand higher
-    result.above = full * (0.8f * max(e.high - above - carve, 0.0f) + crease);
-    result.below = full * (0.8f * max(above - e.low, 0.0f) + crease);
+    float crease = 0.196f * carve + 0.508f * ripple * eat;  // m, what the billows around stand higher
+    result.above = full * (0.8f * softDepth(max(e.high - above - carve, 0.0f), softFace) + crease);
+    result.below = full * (0.8f * softDepth(max(above - e.low, 0.0f), softFace) + crease);
 
     float floorHeight = min(45.0f, 0.1f * thickness);
     float floorSoft = clamp((above - e.low - 0.27f * floorHeight * (1.0f + plane.w)) / floorHeight, 0.0f, 1.0f);

@@ -48,21 +48,23 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kForward = 1.8f;
-GLSL_CONST float kForwardTurns = 0.41f; // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.15f;
-GLSL_CONST float kFewLobe = 0.1f;      // asymmetry
-GLSL_CONST float kFewFade = 0.256f;
-GLSL_CONST float kManyTurns = 0.47f;
-GLSL_CONST float kManyFront = 0.34f;   // light comes in on other ways than the straight one: the depth of the face counts less
-GLSL_CONST float kManyFresh = 0.35f;   // light at a lit face that has yet to be scattered
-GLSL_CONST float kManySides = 13.0f;   // loss through the sides, by depth over width
-GLSL_CONST float kManyLeakFade = 0.85f; // near a face that is not lit
-GLSL_CONST float kManyThick = 1.27f;   // it takes a cloud to scatter many times: of its depth or width, whichever is less
-GLSL_CONST float kRim = 0.175f;        // near any face light that was scattered leaks out: so much of it at the face,
-GLSL_CONST float kRimFade = 1.1f;      // and how fast that ends
-GLSL_CONST float kFromAbove = 0.64f;
-GLSL_CONST float kFromBelow = 1.08f;
+GLSL_CONST float kForward = 1.74f;
+GLSL_CONST float kForwardTurns = 0.40f; // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kFewTurns = 1.19f;
+GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
+GLSL_CONST float kFewFade = 0.248f;
+GLSL_CONST float kFewThick = 0.89f;    // power of what does not get through a slab
+GLSL_CONST float kManyTurns = 0.517f;
+GLSL_CONST float kManyFront = 0.20f;   // light comes in on other ways than the straight one: the depth of the face counts less
+GLSL_CONST float kManyFresh = 0.40f;   // light at a lit face that has yet to be scattered
+GLSL_CONST float kManySides = 9.5f;   // loss through the sides, by depth over width
+GLSL_CONST float kManyLeakFade = 1.29f; // near a face that is not lit
+GLSL_CONST float kManyThick = 0.93f;   // it takes a cloud to scatter many times: of its depth or width, whichever is less,
+GLSL_CONST float kManyPower = 1.62f;   // and the power of what does not get through
+GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered leaks out: so much of it at the face,
+GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
+GLSL_CONST float kFromAbove = 0.664f;
+GLSL_CONST float kFromBelow = 0.972f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
@@ -77,12 +79,12 @@ GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth,
     float lobe = pow(g, 2.0f + kForwardTurns * toLight), met = 1.0f - exp(-toLight);
     float forward = kForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
     float thin = min(along, wide), kept = 1.0f - kRim * exp(-kRimFade * s * depth);
-    float few = kFewTurns * kept * (1.0f - diffused(thin, s)) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
+    float few = kFewTurns * kept * pow(1.0f - diffused(thin, s), kFewThick) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
     float narrow = kManySides * toLight / (wide + 2.0f);
     float sides = 1.0f / (1.0f + narrow * narrow);
     float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
     float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
-    float many = kManyTurns * kept * (1.0f - diffused(kManyThick * thin, s)) * kIsotropic * sides * leak * max(inside, 0.0f);
+    float many = kManyTurns * kept * pow(1.0f - diffused(kManyThick * thin, s), kManyPower) * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/gl/draw.h"
@@ -81,6 +82,35 @@ TEST_F(ProgramLibrary, NamesTheFileAndLineOfACompileError) {
     gl::ProgramLibrary library;
     try {
         library.graphics({"fullscreen", "colour", ""});
+        FAIL() << "expected a core::Error";
+    } catch (core::Error const& error) {
+        EXPECT_NE(std::string{error.what()}.find("shaders/lib/value.glsl:2"), std::string::npos) << error.what();
+    }
+}
+
+// Programs that are compiled side by side: all are good after finish(), which counts them and names what is wrong.
+TEST_F(ProgramLibrary, WaitsForAllThatWereBegun) {
+    gl::ProgramLibrary library{gl::ProgramLibrary::Compiling::together};
+    gl::Program const& one = library.graphics({"fullscreen", "colour", ""});
+    write("pass/defined.frag", "#version 450 core\nlayout(location = 0) out float colour;\nvoid main() { colour = VALUE; }\n");
+    gl::Program const& other = library.graphics({"fullscreen", "defined", ""}, {"VALUE 4.0"});
+    std::vector<std::size_t> seen;
+    library.finish([&](std::size_t ready, std::size_t all) {
+        EXPECT_EQ(all, 2u);
+        seen.push_back(ready);
+    });
+    EXPECT_EQ(seen, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(drawn(one), 1.0f);
+    EXPECT_EQ(drawn(other), 4.0f);
+    EXPECT_EQ(drawn(library.graphics({"fullscreen", "defined", ""}, {"VALUE 5.0"})), 5.0f);
+}
+
+TEST_F(ProgramLibrary, NamesWhatWasBegunAndDoesNotCompile) {
+    writeValue("broken");
+    gl::ProgramLibrary library{gl::ProgramLibrary::Compiling::together};
+    library.graphics({"fullscreen", "colour", ""});
+    try {
+        library.finish();
         FAIL() << "expected a core::Error";
     } catch (core::Error const& error) {
         EXPECT_NE(std::string{error.what()}.find("shaders/lib/value.glsl:2"), std::string::npos) << error.what();

@@ -37,6 +37,9 @@ TEST(BadInput, IsFoundInTheReference) {
     expectRefused("sky --reference 0 " + out, {"--reference", "1..", "0"});
     expectRefused("sky --reference many " + out, {"--reference", "many"});
     expectRefused("sky --reference 4 --plan 20 " + out, {"--reference", "--plan"});
+    expectRefused("sky --onto a.exr " + out, {"--onto", "--reference"});
+    expectRefused("sky --reference 4 --onto " + (scratch() / "none.exr").string() + " " + out, {"none.exr"});
+    expectRefused("sky --reference 4 --onto a.exr --frames 0:1 " + out, {"--onto", "one picture"});
     expectRefused("sky -o " + (scratch() / "f.mp4").string(), {"f.mp4", "--frames"});
     auto const asked = [](std::string const& name, std::string const& text) {
         path const file = scratch() / (name + ".json");

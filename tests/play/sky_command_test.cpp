@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/assets/image.h"
 #include "tests/support/scratch.h"
 
 namespace {
@@ -165,5 +166,33 @@ TEST(SkyCommand, TracesTheClearSkyThatTheGameDraws) {
             }
         EXPECT_NEAR(ours / theirs, 1.0, 0.1) << channel;
     }
+}
+
+// What was traced goes on where it ended: other dice, and the mean of all; a picture that was not traced, or of another size, is refused.
+TEST(SkyCommand, AddsToAPictureThatItTraced) {
+    std::string const view = "--time 2023-06-21T08:00Z --look 300,40 --fov 40 --reference 40";
+    ASSERT_EQ(run(still("first.exr", view, "16x16")).code, 0);
+    std::string const onto = view + " --onto " + (scratch() / "first.exr").string();
+    ASSERT_EQ(run(still("both.exr", onto, "16x16")).code, 0);
+    auto const first = luftpost::assets::readFacts(scratch() / "first.exr"), both = luftpost::assets::readFacts(scratch() / "both.exr");
+    EXPECT_EQ(first.at("samples"), 40.0);
+    EXPECT_EQ(both.at("samples"), 80.0);
+    EXPECT_NEAR(both.at("noise") / first.at("noise"), std::sqrt(0.5), 0.1);
+    Picture const before = picture("first.exr"), after = picture("both.exr");
+    double change = 0.0, sum = 0.0;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            change += std::abs(static_cast<double>(after.at(x, y, 1)) - static_cast<double>(before.at(x, y, 1)));
+            sum += static_cast<double>(before.at(x, y, 1));
+        }
+    EXPECT_GT(change / sum, 0.05 * first.at("noise"));  // the same dice would change nothing
+    EXPECT_LT(change / sum, 3.0 * first.at("noise"));
+    Outcome const wide = run(still("wide.exr", onto, "32x16"));
+    EXPECT_EQ(wide.code, 2);
+    EXPECT_NE(wide.errors.find("first.exr"), std::string::npos) << wide.errors;
+    ASSERT_EQ(run(still("drawn.exr", "--time 2023-06-21T08:00Z", "16x16")).code, 0);
+    Outcome const drawn = run(still("x.exr", view + " --onto " + (scratch() / "drawn.exr").string(), "16x16"));
+    EXPECT_EQ(drawn.code, 2);
+    EXPECT_NE(drawn.errors.find("drawn.exr"), std::string::npos) << drawn.errors;
 }
 }  // namespace
