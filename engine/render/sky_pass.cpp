@@ -97,7 +97,7 @@ void SkyPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.moonDirection = block_.lights.moon;
     frame.moonIrradiance = glm::vec4{light_.moon, letThrough};
     frame.skyIrradiance = glm::vec4{light_.sky, 0.0f};
-    frame.groundIrradiance = glm::vec4{light_.ground, 0.0f};
+    frame.groundIrradiance = glm::vec4{light_.ground, light_.facingUp};
     frame.exposure.x = kHeadroom * light_.exposure;
     frame.exposure.w = std::exp2(snapshot.graphics.exposure_ev);
     frame.exposure.y = light_.exposure * frame.exposure.w;

@@ -259,6 +259,12 @@ GLSL_FUNCTION vec3 multipleScattering(sampler2D table, vec2 size, float h, float
     return vec3(textureLod(table, multipleCoordinate(size, clamp(h, 0.0f, kAirTop), muLight), 0.0f));
 }
 
+// Mean radiance of the upper half of the sphere: twice that of all of it (`sphere`, table two) less what the table has of the
+// land below, on which the irradiance `onLand` falls.
+GLSL_FUNCTION vec3 upperHalf(Atmosphere air, vec3 sphere, vec3 onLand) {
+    return max(2.0f * sphere - onLand * kLandColour * (air.ground.w / kAirPi), 0.4f * sphere);
+}
+
 GLSL_CONST float kMultipleSize = 32.0f;
 
 // ------------------------------------------------------------------------------------------- light along a ray

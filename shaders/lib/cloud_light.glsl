@@ -50,7 +50,7 @@ GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0
 
 GLSL_CONST float kForward = 1.74f;
 GLSL_CONST float kForwardTurns = 0.40f; // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.19f;
+GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
 GLSL_CONST float kFewFade = 0.248f;
 GLSL_CONST float kFewThick = 0.89f;    // power of what does not get through a slab
@@ -63,8 +63,8 @@ GLSL_CONST float kManyThick = 0.93f;   // it takes a cloud to scatter many times
 GLSL_CONST float kManyPower = 1.62f;   // and the power of what does not get through
 GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
-GLSL_CONST float kFromAbove = 0.664f;
-GLSL_CONST float kFromBelow = 0.972f;
+GLSL_CONST float kFromAbove = 1.55f;
+GLSL_CONST float kFromBelow = 1.0f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.

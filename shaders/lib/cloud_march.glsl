@@ -61,7 +61,9 @@ void diffuseAt(float y, float mu, vec3 above, out vec3 fromAbove, out vec3 fromB
     vec2 size = vec2(textureSize(skyMultipleTable, 0));
     vec3 mean = multipleScattering(skyMultipleTable, size, y, mu) * above;
     fromBelow = frame.groundIrradiance.rgb / 3.14159265;
-    fromAbove = max(2.0 * mean - 0.7 * fromBelow, 0.6 * mean) + 0.5 * sky.airglow.rgb;
+    vec2 table = vec2(textureSize(skyTransmittanceTable, 0));
+    vec3 onLand = above * lightThroughAir(skyTransmittanceTable, table, 0.0, mu, 0.00465) * max(mu, 0.0);
+    fromAbove = frame.groundIrradiance.w * upperHalf(sky.air, mean, onLand) + 0.5 * sky.airglow.rgb;
 }
 
 /// Light that falls on a place, clouds left out. It changes slowly: a ray asks anew every few kilometres.

@@ -1,4 +1,5 @@
 // The atmosphere against what skies are measured to be, and its mappings against their inverses.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -228,5 +229,28 @@ TEST(Light, IsGreyAndDimmerUnderOvercast) {
     EXPECT_LT(kilocandela(overcast.ground), 0.5 * kilocandela(clear.ground));
     auto const storm = sky::skyLight(state, clearDay(), 300.0, {.cover = 1.0, .closedShare = 0.05});
     EXPECT_NEAR(kilocandela(storm.sky) / kilocandela(overcast.sky), 0.2, 0.01) << "a storm's cloud leaves a fifth of a thin one's";
+}
+
+// What clouds get from above: a plane that faces up sees less of the bright air at the horizon than the mean of the upper half of the
+// sphere, the less the lower the sun. Table two has half as much again for that mean at all heights of the sun: twice the sphere's counts what the
+// air below sends up.
+TEST(Atmosphere, APlaneThatFacesUpSeesLittleOfTheHorizon) {
+    double before = 1.0;
+    for (double const up : {70.0, 40.0, 15.0}) {
+        double const elevation = core::radians(up);
+        glm::dvec3 const light = sky::directionWorld(0.0, elevation);
+        double mean = 0.0;
+        constexpr int kSteps = 48;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j)
+                mean += static_cast<double>(sky::luminance(clearDay().radiance(1500.0, sky::directionWorld(core::kPi * (j + 0.5) / kSteps, std::asin((i + 0.5) / kSteps)), light)));
+        mean /= kSteps * kSteps;
+        double const facing = static_cast<double>(sky::luminance(clearDay().skyIrradiance(1500.0, elevation))) / core::kPi;
+        double const share = clearDay().facingUpShare(1500.0, elevation);
+        fmt::print("sun {} degrees up: {:.2f} of the upper half, traced over it {:.2f}\n", up, share, facing / mean);
+        EXPECT_LT(share, before) << up;
+        EXPECT_NEAR(share / (facing / mean), 0.66, 0.05) << up;
+        before = share;
+    }
 }
 }  // namespace
