@@ -13,8 +13,8 @@
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
 //     leaks out.
-// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference) on six of its nine
-// scenes. All phase functions hold the 1 / (4 pi), and no term is clamped from below.
+// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference). All phase functions
+// hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
 #define LUFTPOST_CLOUD_LIGHT_GLSL
 #include "shaders/shared/language.glsl.h"
@@ -63,8 +63,8 @@ GLSL_CONST float kManyThick = 0.93f;   // it takes a cloud to scatter many times
 GLSL_CONST float kManyPower = 1.62f;   // and the power of what does not get through
 GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
-GLSL_CONST float kFromAbove = 1.55f;
-GLSL_CONST float kFromBelow = 1.0f;
+GLSL_CONST float kFromAbove = 1.66f;
+GLSL_CONST float kFromBelow = 0.95f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
