@@ -203,8 +203,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     float reaches = 0.5f * blur;
     bool left = false;
     LEAVE_OUTSIDE((c.rank - towers.cover - s.look.y) * s.body.x);
-    vec4 plane = vec4(0.0f);
-    plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
+    vec4 plane = planeNoise(curl, s, p, lod) * clamp(kCoarseLod - lod, 0.0f, 1.0f);
     float margin = layerMargin(towers, s, plane.z);
     LEAVE_OUTSIDE(-margin * s.body.x);
 
