@@ -14,7 +14,7 @@
 
 namespace {
 using namespace luftpost;
-constexpr int kColumns = 8000;
+constexpr int kColumns = 8000, kRealColumns = 40000;
 constexpr std::array kCovers{0.02f, 0.05f, 0.1f, 0.25f, 0.5f, 0.75f, 0.9f, 0.95f, 0.98f};
 constexpr std::array kThicknesses{80.0f, 150.0f, 300.0f, 500.0f, 800.0f, 1300.0f, 2000.0f, 3500.0f, 6000.0f, 12000.0f};
 
@@ -52,12 +52,15 @@ std::vector<float> crossings(weather::Weather const& here, weather::NoiseVolumes
     std::vector<float> result;
     unsigned hash = 7;
     auto const unit = [&] { return glsl::unitFromHash(hash = glsl::hashOf(hash)); };
-    for (int i = 0; i < kColumns; ++i) {
-        float const rank = (static_cast<float>(i) + unit()) / kColumns;  // stratified: the rank is uniform
+    // Of real places it takes more: their ranks are not stratified.
+    int const columns = shape.body.z > 0.0f ? kRealColumns : kColumns;
+    for (int i = 0; i < columns; ++i) {
+        float const rank = (static_cast<float>(i) + unit()) / static_cast<float>(columns);  // stratified: the rank is uniform
         glsl::LayerColumn column{rank, 0.0f, layer.base, layer.top, water, 1.0f};
         glm::vec2 const place{65536.0f * unit(), 65536.0f * unit()};
-        if (shape.body.z > 0.0f) {  // the ranks of tower and anvil belong together: those of real places
+        if (shape.body.z > 0.0f) {  // the ranks of tower and anvil belong together: those of real places and moments
             layer.pattern = hash;
+            layer.phase = 24.0 * static_cast<double>(unit());
             column = weather::CloudColumns{withLayer(here, layer), 1}.at(static_cast<double>(place.x), -static_cast<double>(place.y)).layers[0];
         }
         result.push_back(crossing(column, shape, place, weather::coverDepth(layer.genus), noise));

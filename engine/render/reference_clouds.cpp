@@ -216,7 +216,7 @@ float ReferenceClouds::slabBound(int layer, glm::vec4 const& low, glm::vec4 cons
         return (0.07f + 1.96f * full * thickness) * 1.5f / std::max(low.z - high.y, 20.0f);
     }
     float const towers = glsl::towerCover(high.x, s) - rank.tower + s.look.y;
-    float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerWidth(glsl::towerCover(low.x, s), s), s) : -1.0f;
+    float const rise = towers > 0.0f ? glsl::riseAt(towers, glsl::towerCover(high.x, s), s) : -1.0f;
     bool const tower = bottom < base + static_cast<double>(rise) * (top - base);
     bool const anvil = s.body.z > 0.0f && high.x - rank.anvil + glsl::anvilFray(high.x) > 0.0f && bottom + slab > base + static_cast<double>(glsl::kAnvilFoot) * (top - base);
     float const share = std::clamp(static_cast<float>((bottom + slab - base) / (top - base)), 0.0f, 1.0f);

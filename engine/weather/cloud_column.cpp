@@ -33,7 +33,7 @@ constexpr std::array<Form, kGenera> kForms{{
     /* Sc */ {0.50f, 0.10f, 160.0f, 60.0f, 60.0f, 0.05f, 0.35f, 1300.0f, 0.0f, 0.75, false, 0.0, 0.0},
     /* St */ {0.12f, 0.15f, 80.0f, 60.0f, 120.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
     /* Cu */ {0.50f, 0.0f, 300.0f, 140.0f, 20.0f, 0.05f, 0.45f, 1100.0f, 0.0f, 1.0, false, 0.0, 0.0},
-    /* Cb */ {0.50f, 0.0f, 850.0f, 110.0f, 50.0f, 0.0f, 0.18f, 4000.0f, 0.45f, 1.5, false, 0.0, 0.0},
+    /* Cb */ {0.50f, 0.0f, 850.0f, 110.0f, 50.0f, 0.0f, 0.18f, 4000.0f, 0.06f, 1.5, false, 0.0, 0.0},
     /* fog */ {0.12f, 0.0f, 30.0f, 30.0f, 60.0f, 0.06f, 0.00f, 1800.0f, 0.0f, 1.0, false, 0.0, 0.0},
 }};
 Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]; }
@@ -41,7 +41,7 @@ Form const& formOf(Genus genus) { return kForms[static_cast<std::size_t>(genus)]
 constexpr double kAnchorPeriod = 3.0 * glsl::kShapePeriod;  // m: the periods of shape, curl, detail and variety divide it
 constexpr double kSheetPeriod = 65536.0;              // m: the fibres' periods divide it along both axes
 constexpr float kBald = 2000.0f;                      // m: the top of a storm that is no thicker is no ice that spreads
-constexpr double kAnvilLead = 0.8, kAnvilLength = 1.4;  // by how much of the way between rim and foot, and of the rim's own, it is carried
+constexpr double kAnvilLead = 0.66, kAnvilLength = 1.5;  // by how much of the tower's inset beyond its foot, and of the rim's own, it is carried
 constexpr float kAnvilWeaker = 0.4f;      // of the cover: what it loses in rank on that way
 constexpr double kAnvilWesterly = 0.3;     // m/s, added to the wind that carries it: a calm has no direction
 constexpr double kDetailPace = 1.08;                  // the detail drifts faster than the clouds it eats at
@@ -69,7 +69,7 @@ float coreWater(Layer const& layer, Weather const& weather) {
     return static_cast<float>(std::max(static_cast<double>(layer.water) * thickening, seen));
 }
 
-/// Share of a small cover that is anvil alone, of a layer `thickness` m thick.
+/// Share of a small cover on which no tower stands, 0 for a layer without an anvil; `thickness`: the layer's, m.
 float anvilShareOf(Genus genus, float thickness) { return thickness > kBald ? formOf(genus).anvil : 0.0f; }
 
 /// Where between lib/cloud's eight lattice ways, 0..8, a wind (m/s, east and north) blows, or the way back.
@@ -115,9 +115,10 @@ float calibratedCover(Genus genus, float cover, float thickness) {
     // Between two thicknesses of the table, and within each between two covers.
     std::size_t row = 0;
     while (row + 2 < kThicknesses.size() && thickness > kThicknesses[row + 1]) ++row;
-    // Nothing lies between a bald storm and one with an anvil.
-    while (anvilShareOf(genus, thickness) > 0.0f && !(kThicknesses[row] > kBald)) ++row;
-    float const down = std::clamp((thickness - kThicknesses[row]) / (kThicknesses[row + 1] - kThicknesses[row]), 0.0f, 1.0f);
+    // Nothing lies between a bald storm and one with an anvil: below the lowest of these goes on what lies above.
+    bool const iced = anvilShareOf(genus, thickness) > 0.0f;
+    while (iced && !(kThicknesses[row] > kBald)) ++row;
+    float const down = std::clamp((thickness - kThicknesses[row]) / (kThicknesses[row + 1] - kThicknesses[row]), iced ? -0.6f : 0.0f, 1.0f);
     auto const threshold = [&](std::size_t column) {
         return rows[row][column] + down * (rows[row + 1][column] - rows[row][column]);
     };
@@ -139,10 +140,12 @@ glm::vec4 anvilWay(Layer const& layer, CloudSettings const& settings) {
     double const speed = glm::length(wind);
     if (!(speed > 0.0)) return {0.0f, 0.0f, 1.0f, kAnvilWeaker * cover};
     // All of it lies so far downwind that it ends little upwind of the tower's foot, and its far half that far again.
-    double const rim = std::sqrt(static_cast<double>(cover)), foot = std::sqrt(static_cast<double>(cover - anvil * std::min(cover, glsl::kMostAnvil)));
-    double const all = kAnvilLead * (rim - foot), far = all + kAnvilLength * rim;
-    double const metres = static_cast<double>(formOf(layer.genus).reach * settings.weatherScale);
-    glm::dvec2 const way = wind * (metres * far / speed);
+    glsl::LayerShape shape{};
+    shape.body = {formOf(layer.genus).reach, 0.0f, anvil, 0.0f};
+    float const towers = glsl::towerCover(cover, shape);
+    double const rim = static_cast<double>(glsl::stormWay(cover, shape)), foot = static_cast<double>(glsl::stormWay(towers, shape));
+    double const all = rim - foot + kAnvilLead * static_cast<double>(glsl::mostInset(towers, shape)), far = all + kAnvilLength * rim;
+    glm::dvec2 const way = wind * (far * static_cast<double>(settings.weatherScale) / speed);
     return {static_cast<float>(way.x), static_cast<float>(-way.y), static_cast<float>(all / far), kAnvilWeaker * cover};
 }
 

@@ -12,10 +12,12 @@ struct Octave {
     double along, across;  // m, size of an element
     double weight;
     bool billow;
+    bool uneven = false;  // billows of very different sizes
 };
 
 /// How a genus is laid out. Sizes of elements after the WMO Cloud Atlas: cumulus 0.5-2 km, altocumulus 1-5 degrees
-/// (0.1-0.5 km overhead), stratocumulus rolls and cells over 5 degrees (1-3 km).
+/// (0.1-0.5 km overhead), stratocumulus rolls and cells over 5 degrees (1-3 km). Cumulonimbus: cells of very different strength, and
+/// in each the turrets of its updraughts.
 struct Plan {
     double warpSize, warpReach;  // m
     std::array<Octave, 4> octaves;
@@ -32,7 +34,7 @@ constexpr std::array<Plan, kGenera> kPlans{{
     /* Sc */ {3000, 650, {{{6000, 4200, 0.75, false}, {2300, 1350, 0.9, true}, {900, 650, 0.35, false}, {380, 300, 0.18, false}}}, true},
     /* St */ {4000, 800, {{{6500, 5000, 1.0, false}, {2700, 2200, 0.5, false}, {1100, 950, 0.3, false}, {480, 420, 0.16, false}}}, true},
     /* Cu */ {1500, 420, {{{4800, 4800, 0.55, false}, {1900, 1900, 1.0, true}, {850, 850, 0.42, false}, {370, 370, 0.2, false}}}, false},
-    /* Cb */ {3700, 740, {{{8000, 8000, 1.0, true}, {4300, 4300, 0.13, false}, {1850, 1850, 0.05, false}, {860, 860, 0.02, false}}}, false},
+    /* Cb */ {3700, 740, {{{7950, 7950, 1.0, true, true}, {2700, 2700, 0.17, true, true}, {1850, 1850, 0.05, false}, {860, 860, 0.02, false}}}, false},
     /* fog */ {4000, 800, {{{6500, 5000, 1.0, false}, {2700, 2200, 0.5, false}, {1100, 950, 0.3, false}, {480, 420, 0.16, false}}}, true},
 }};
 constexpr double kCoarsest = 3000.0;       // m, the finest element that the coarse rank knows
@@ -57,7 +59,7 @@ LayerPattern::LayerPattern(Layer const& layer, unsigned seed, PatternDetail deta
         if (detail == PatternDetail::Coarse && octaveCount_ > 0 && octave.across < kCoarsest) continue;
         octaves_[static_cast<std::size_t>(octaveCount_++)] = {
             glm::ivec2{cells(octave.along), cells(octave.across)}, static_cast<float>(octave.weight), turns(size),
-            octave.billow ? 1.0f : 0.0f};
+            octave.billow ? (octave.uneven ? 2.0f : 1.0f) : 0.0f};
     }
     warpCells_ = glm::ivec2{cells(plan.warpSize)};
     warpTurns_ = turns(plan.warpSize);
@@ -91,8 +93,12 @@ __attribute__((always_inline)) inline void LayerPattern::row(double const* __res
     for (int o = 0; o < octaveCount_; ++o) {
         glsl::PatternOctave octave = octaves_[static_cast<std::size_t>(o)];
         unsigned const seed = seed_ + 17u * static_cast<unsigned>(o);
-        if (octave.billow > 0.5f) {
-            octave.billow = 1.0f;  // a constant leaves one kind of noise in the loop
+        if (octave.billow > 1.5f) {
+            octave.billow = 2.0f;  // a constant leaves one kind of noise in the loop
+            for (std::size_t i = 0; i < count; ++i)
+                out[i] += glsl::patternOctave(glm::vec2{x[i], y[i]}, octave, seed);
+        } else if (octave.billow > 0.5f) {
+            octave.billow = 1.0f;
             for (std::size_t i = 0; i < count; ++i)
                 out[i] += glsl::patternOctave(glm::vec2{x[i], y[i]}, octave, seed);
         } else {

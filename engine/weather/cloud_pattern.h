@@ -1,6 +1,6 @@
 // Each layer's pattern: a rank u, uniform on 0..1, over every point of the plane. Cloud stands where u is below the
-// cover, so the share of the ground under cloud is the cover, whatever it is and wherever one looks. No structure is
-// larger than 8 km: what is larger comes from the field.
+// cover, so the share of the ground under cloud is the cover, whatever it is and wherever one looks. No element is
+// larger than 8 km: what is larger comes from the field. Only how strong the cells of a cumulonimbus are is dealt within squares of 16 km.
 #pragma once
 #include <array>
 #include <span>

@@ -13,9 +13,10 @@
 // between, which is what cauliflower is. Fine noise eats at what is left, wisps below and billows above. Metres, not
 // shares of a height, so that a small cloud is as rough as a large one. What lies deeper than the edge's softness is
 // cloud. A flat base is a face of its own that nothing pushes.
-// A cumulonimbus is two bodies over one rank: its towers stand on the inner part of its cover, wide below and narrow above, and
-// where they meet the tropopause their ice spreads out to the whole of it, an anvil in streaks along the wind, thick at the tower and
-// thin at the rim. It asks for the rank upwind of where it is, at two places, so that it lies downwind of its tower, and long.
+// A cumulonimbus is two bodies over one rank: its towers, heaps whose walls lean in, so that a cell reaches as high as it is wide at its
+// foot: weak ones end as congestus, strong ones meet the tropopause. There their ice spreads out beyond the cover, an anvil in streaks
+// along the wind, thick at the tower and thin at the rim; a cell that does not come so high has next to none. It asks for the rank upwind
+// of where it is, at two places, so that it lies downwind of its tower, and long.
 // The density never falls as the margin grows, so a threshold of the rank (weather/cloud_column's table) puts right what
 // the noise takes from the cover.
 // Perlin-Worley and Worley billows, and the turn from wisps to billows, are Schneider's (GPU Pro 7, chapter 4).
@@ -80,24 +81,40 @@ GLSL_CONST float kMostAnvil = 0.45f;  // cover, from which on no more of it is a
 // By how much of the rank an anvil reaches beyond its towers; the wider its layer's cover, the less of it.
 GLSL_FUNCTION float anvilReach(float cover, LayerShape s) { return s.body.z * clamp(cover, 0.0f, kMostAnvil); }
 
-GLSL_CONST float kTowerTaper = 0.7f;  // of a tower's foot in rank, what it has lost at its top
+GLSL_CONST float kTowerInset = 2300.0f;  // m, by how much a tower's wall stands further in at its top than at its foot
+GLSL_CONST float kTowerTaper = 0.75f;    // the same, of half the width of the widest, at most
+
+// m in the plane from the middle of the strongest storm to where the rank is `rank`: what the pattern's distribution makes of its value,
+// turned back. Between two ranks it is the same way in weak storms and strong ones, for they differ in how deep they begin.
+GLSL_FUNCTION float stormWay(float rank, LayerShape s) {
+    float u = max(rank, 0.0f);
+    return s.body.x * (1.7f * sqrt(u) - 0.425f * u + 1.2f * max(u - 0.7f, 0.0f));
+}
 
 // The threshold of the rank under which the towers of a layer stand.
 GLSL_FUNCTION float towerCover(float cover, LayerShape s) { return cover - anvilReach(cover, s); }
 
-// By how much of the rank the streaks of an anvil reach beyond its mean outline.
-GLSL_FUNCTION float anvilFray(float cover) { return 0.35f * clamp(cover, 0.0f, kMostAnvil) * frayWindow(cover); }
+// By how much of the rank the streaks of an anvil reach beyond the outline of what is thick enough to count as cover, at most.
+GLSL_FUNCTION float anvilFray(float cover) { return 0.7f * clamp(cover, 0.0f, kMostAnvil) * frayWindow(cover); }
 
-// The margin at which a tower reaches its full height: where there are few, each still does.
-GLSL_FUNCTION float towerWidth(float cover, LayerShape s) {
-    return hasTowers(s) ? clamp(kTowerTaper * cover, 0.02f, s.form.x) : s.form.x;
+// m by which a tower's wall stands further in at a share of its height than at its foot: a broad foot, steep walls, a dome. What is
+// narrow ends low. Where towers are few and narrow, the strongest still reach their full height.
+GLSL_FUNCTION float mostInset(float cover, LayerShape s) { return clamp(kTowerTaper * stormWay(cover, s), 300.0f, kTowerInset); }
+GLSL_FUNCTION float insetAt(float share, float most) {
+    float s = share - 0.5f;
+    return most * (0.5f + s * (0.6f + 1.6f * s * s));
 }
 
-// Share of the layer's height that a cloud reaches at a margin: a dome with steep but no upright sides. A tower's rank grows
-// like the square of the way from its middle, so that with a straight rise it is a dome, too.
-GLSL_FUNCTION float riseAt(float margin, float width, LayerShape s) {
-    float x = 1.0f - clamp(margin / width, 0.0f, 1.0f);
-    return hasTowers(s) ? 1.0f - x : 1.0f - x * x;
+// Share of the layer's height that a cloud reaches at a margin, where the threshold is `cover`: a dome with steep but no upright sides.
+GLSL_FUNCTION float riseAt(float margin, float cover, LayerShape s) {
+    if (hasTowers(s)) {
+        float x = clamp((stormWay(cover, s) - stormWay(cover - margin, s)) / mostInset(cover, s), 0.0f, 1.0f);
+        float past = x - 0.5f;  // insetAt's inverse, by Newton
+        for (int i = 0; i < 2; ++i) past -= (past * (0.6f + 1.6f * past * past) - x + 0.5f) / (0.6f + 4.8f * past * past);
+        return past + 0.5f;
+    }
+    float x = 1.0f - clamp(margin / s.form.x, 0.0f, 1.0f);
+    return 1.0f - x * x;
 }
 
 // Optical depth, straight down, of a sheet of fibres.
@@ -177,8 +194,8 @@ GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sam
 }
 
 GLSL_CONST float kTowerRound = 900.0f;   // m, of the shoulder between a tower's wall and its top
-GLSL_CONST float kTurrets = 1.5f;        // of a layer's carving, how deep it goes between the turrets of a tower
-GLSL_CONST float kKnobs = 0.5f;          // and between the billows on them
+GLSL_CONST float kTurrets = 1.0f;        // of a layer's carving, how deep it goes between the turrets of a tower
+GLSL_CONST float kKnobs = 0.6f;          // and between the billows on them
 GLSL_CONST float kShed = 140.0f;         // m, what is thinner than that beside a tower is none of it
 GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as a layer's carving
 
@@ -208,17 +225,16 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     LEAVE_OUTSIDE(-margin * s.body.x);
 
     // Metres inside the envelope's faces.
-    float width = towerWidth(towers.cover, s);
     float lower = heightShare(p, s, curl);
-    Envelope e = envelopeAt(margin, width, thickness, lower, s);
+    Envelope e = envelopeAt(margin, s.form.x, thickness, lower, s);
     float belowTop = (e.high - above) / sqrt(1.0f + e.steep * e.steep);
     float radius = 0.0f;  // m, half the width of a tower at this height
     if (hasTowers(s)) {
-        // The wall of a tower is as near as it stands in the plane: where the rank has its low, it grows like the square of the way.
+        // The wall of a tower is as near as it stands in the plane.
         float top = lower * thickness;
-        e.high = top * riseAt(margin, width, s);
-        radius = s.body.x * sqrt(max(towers.cover - width * min(above / top, 1.0f), 0.0f));
-        belowTop = roundedMin(top + kShed - above, radius - s.body.x * sqrt(max(towers.cover - margin, 0.0f)), kTowerRound);
+        e.high = top * riseAt(margin, towers.cover, s);
+        radius = stormWay(towers.cover, s) - insetAt(min(above / top, 1.0f), mostInset(towers.cover, s));
+        belowTop = roundedMin(top + kShed - above, radius - stormWay(towers.cover - margin, s), kTowerRound);
     }
     LEAVE_OUTSIDE(-belowTop);
     float lens = s.form.y;
@@ -265,10 +281,10 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
 
 // Of the layer's height: where the anvil's underside meets the tower, where it lies beside it, and where its top is. What is
 // above are the tops that shoot over.
-GLSL_CONST float kAnvilFoot = 0.62f;
+GLSL_CONST float kAnvilFoot = 0.66f;
 GLSL_CONST float kAnvilRim = 0.84f;
 GLSL_CONST float kAnvilTop = 0.94f;
-GLSL_CONST float kAnvilIce = 0.11f;   // extinction beside the tower, of that in it: 0.25 g/m3 of crystals of 35 um for 1.2 g/m3 of drops of 15 um
+GLSL_CONST float kAnvilIce = 0.065f;  // extinction beside the tower, of that in it: 0.15 g/m3 of crystals of 35 um for 1.2 g/m3 of drops of 15 um
 
 // The ways along which streaks can lie so that they repeat with the anchor: (1, 0), (2, 1), (1, 1), (1, 2), and the same a
 // quarter turn on. `k`: 0..8, east by south.
@@ -278,7 +294,7 @@ GLSL_FUNCTION vec2 latticeWay(int k) {
     return (k / 4) % 2 == 0 ? way : vec2(-way.y, way.x);
 }
 
-// Streaks of the plane along one of them, -1..1: about 2 km long, and 200 m and 70 m wide.
+// Streaks of the plane along one of them, -1..1: about 2 km long, and 340 m and 110 m wide.
 GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, planeSampler curl, float lod) {
     vec2 way = latticeWay(k);
     float unit = s.anchor.w * (1.0f / 3.0f);  // 1/m: the anchor repeats after three periods of the shape
@@ -286,7 +302,7 @@ GLSL_FUNCTION float streaksAlong(vec3 p, int k, LayerShape s, planeSampler curl,
     float z = (p.z + s.anchor.z) * unit;
     float along = x * way.x + z * way.y;
     float across = z * way.x - x * way.y;
-    float narrow = floor(12.0f / length(way) + 0.5f);
+    float narrow = floor(7.0f / length(way) + 0.5f);
     vec4 bend = textureLod(curl, vec2(x, z), max(lod, 2.0f)) * 2.0f - vec4(1.0f);
     float broad = textureLod(curl, vec2(along, across * narrow + 0.04f * bend.y), lod).w;
     float fine = textureLod(curl, vec2(along * 2.0f, across * narrow * 3.0f + 0.06f * bend.x), lod + 1.0f).z;
@@ -305,10 +321,11 @@ GLSL_FUNCTION float anvilStreaks(vec3 p, LayerShape s, planeSampler curl, float 
 // fibre.xy upwind; `weaker` is its fibre.w.
 GLSL_FUNCTION float anvilRank(float near, float far, float weaker) { return roundedMin(near, far + weaker, max(1.6f * weaker, 1e-3f)); }
 
-// How far within an anvil's rim a rank lies: 0 there, 1 over the rim of its tower's foot, evenly with the way in the plane.
+// How far within an anvil's rim a rank lies: 0 there, 1 where its tower reaches its full height, evenly with the way in the plane.
 GLSL_FUNCTION float anvilShare(float rank, float cover, LayerShape s) {
-    float rim = sqrt(max(cover, 0.0f));
-    return (rim - sqrt(max(rank, 0.0f))) / max(rim - sqrt(max(towerCover(cover, s), 0.0f)), 1e-3f);
+    float rim = stormWay(cover, s);
+    float towers = towerCover(cover, s);
+    return (rim - stormWay(rank, s)) / max(rim - stormWay(towers, s) + mostInset(towers, s), 1.0f);
 }
 
 GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, planeSampler curl, float lod) {
@@ -321,26 +338,26 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampl
     result.outside = max((c.anvil - c.cover - fray) * s.body.x, max(kAnvilFoot * thickness - above, above - kAnvilTop * thickness));
     if (result.outside >= reaches) return result;
     float streaks = anvilStreaks(p, s, curl, max(lod - 0.5f, 0.0f));
-    float margin = c.cover - c.anvil + fray * streaks;
+    float margin = c.cover - c.anvil + fray * (0.35f + 0.65f * streaks);
     result.outside = -margin * s.body.x;
     if (result.outside >= reaches) return result;
 
     float near = clamp(anvilShare(c.cover - margin, c.cover, s), 0.0f, 1.0f);
-    // A wedge under a level top; its underside sinks once more where it meets the tower.
-    float foot = sqrt(max(c.rank, 0.0f) / max(towerCover(c.cover, s), 1e-3f));  // 0 over the middle of the tower, 1 over the rim of its foot
-    float flare = clamp(1.2f - foot, 0.0f, 1.0f);
+    float level = clamp(anvilShare(c.anvil - 0.35f * fray, c.cover, s), 0.0f, 1.0f);  // without the streaks, which would furrow its rim
+    // A wedge under a level top, its underside in soft bags (mamma); it sinks once more where it meets the tower.
+    float towers = towerCover(c.cover, s);
+    float flare = clamp((stormWay(towers, s) - stormWay(c.rank, s)) / mostInset(towers, s), 0.0f, 1.0f);  // 0 over the rim of its foot
     vec3 q = p + vec3(s.anchor);
-    float lumps = 0.012f * streaks + 0.035f * (billowOf(textureLod(shape, q * (s.anchor.w * (2.0f / 3.0f)), min(lod + 0.5f, 3.5f))) - 0.5f);
-    float lens = 1.0f - (1.0f - near) * (1.0f - near);
-    float high = (kAnvilTop + 0.008f * streaks - 0.03f * (1.0f - lens)) * thickness;
-    float low = (mix(kAnvilTop - 0.045f, kAnvilRim, near) - lumps * (1.0f - flare) - (kAnvilRim - kAnvilFoot) * flare * flare) * thickness;
+    float lumps = 0.012f * streaks + 0.035f * (billowOf(textureLod(shape, q * (s.anchor.w * (4.0f / 3.0f)), min(lod + 0.5f, 3.5f))) - 0.5f);
+    float high = (kAnvilTop + 0.008f * streaks - 0.015f * (1.0f - level)) * thickness;
+    float low = (mix(kAnvilTop - 0.015f, kAnvilRim, level * level) - lumps * (1.0f - flare) - (kAnvilRim - kAnvilFoot) * flare * flare) * thickness;
     float inside = min(above - low, high - above);
     result.outside = -inside;
     if (result.outside >= reaches) return result;
     float soft = 0.02f * thickness;
     float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
     float strand = clamp(1.0f + 0.9f * streaks, 0.0f, 1.7f);
-    float ice = c.water * s.look.w * kAnvilIce * near * near * near * mix(strand, 1.0f, near);
+    float ice = c.water * s.look.w * kAnvilIce * near * near * mix(strand, 1.0f, near);
     result.outside = max(-inside, 0.0f);
     inside = max(inside, 0.0f);
     result.depth = ice * inside;
@@ -394,9 +411,8 @@ GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     bool sheet = s.look.z > 0.5f;
     float towers = towerCover(c.cover, s);
     float margin = towers - c.rank;
-    float width = towerWidth(towers, s);
     float full = 0.6f * c.water * s.look.w * thickness / up;
-    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, width) : riseAt(margin, width, s));
+    float here = margin <= 0.0f ? 0.0f : full * (sheet ? ramp(margin, 0.0f, s.form.x) : riseAt(margin, towers, s));
     float near = hasTowers(s) ? clamp(anvilShare(c.anvil, c.cover, s), 0.0f, 1.0f) : 0.0f;
     here += full * kAnvilIce * (kAnvilTop - kAnvilFoot) * near * near * near;
     float share = clamp(towers, 0.0f, 0.99f);

@@ -10,13 +10,14 @@ struct PatternOctave {
     ivec2 cells;    // along and across, in one period
     float weight;
     float turns;    // how far its gradients have turned by now
-    float billow;   // 1: round elements with creases between them (Worley), 0: gradient noise
+    float billow;   // 2: round elements of very different sizes, 1: of one size, with creases between them (Worley), 0: gradient noise
 };
 
 // `unit`: place in the period, 0..1 each way.
 GLSL_INLINE float patternOctave(vec2 unit, PatternOctave octave, uint seed) {
     vec2 p = unit * vec2(octave.cells);
-    float noise = octave.billow > 0.5f ? 0.53f - flowWorley(p, octave.cells, octave.turns, seed)
+    float noise = octave.billow > 1.5f   ? 0.53f - unevenWorley(p, octave.cells, octave.turns, seed)
+                : octave.billow > 0.5f ? 0.53f - flowWorley(p, octave.cells, octave.turns, seed)
                                        : flowNoise(p, octave.cells, octave.turns, seed);
     return octave.weight * noise;
 }

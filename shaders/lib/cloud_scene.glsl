@@ -110,7 +110,7 @@ bool cloudMayBeOf(int bits, vec3 p) {
         float share = (p.y - c.base) / (c.top - c.base);
         float towers = towerCover(c.cover, s);
         float margin = towers - c.rank + s.look.y * frayWindow(towers) + 0.4 * coarse;
-        float rise = riseAt(margin, towerWidth(towers, s), s);
+        float rise = riseAt(margin, towers, s);
         bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
         found = margin > 0.0 && between && share > 0.0 && share < 1.0;
         if (!found && anvilReaches(c, layer, p.y, 0.0) && share < kAnvilTop + 0.01)

@@ -168,6 +168,43 @@ GLSL_INLINE float flowWorley(vec2 p, ivec2 period, float turns, uint seed) {
     return sqrt(min(north, min(middle, south)));
 }
 
+// Distance to the point of a cell whose corner is at `corner`, and how much later than the strongest it begins: of every four cells one is
+// strong, the others begin by a fifth of a cell later and more. Dealt so, not at will, each square of 2 x 2 cells holds about as much as
+// the next. All swell and fade a little as they wander; the middle of each is round, lest it be drawn as a needle.
+GLSL_FUNCTION float unevenWanderer(int x, int y, vec2 corner, vec2 f, float turns, uint seed) {
+    int weaker = ((x & 1) + 2 * (y & 1)) ^ int(hashOf2(x / 2, y / 2, seed + 23u) & 3u);
+    uint h = hashOf(uint(x) + hashOf(uint(y) + seed));
+    float later = (weaker > 0 ? 0.16f + 0.04f * float(weaker) : 0.0f) + 0.03f * shuttle(unitFromHash(hashOf(h)) + turns);
+    return sqrt(wandererSquare(h, corner, f, turns) + 0.04f) + later;
+}
+
+GLSL_FUNCTION float unevenWanderers(ivec3 x, int y, float row, vec2 f, float turns, uint seed) {
+    float west = unevenWanderer(x.x, y, vec2(-1.0f, row), f, turns, seed);
+    float here = unevenWanderer(x.y, y, vec2(0.0f, row), f, turns, seed);
+    float east = unevenWanderer(x.z, y, vec2(1.0f, row), f, turns, seed);
+    return min(west, min(here, east));
+}
+
+// flowWorley with points of unequal strength: the stronger, the larger and deeper its cell. What lies two cells away is not asked, so
+// nothing may be further off than the nearest of that can be.
+GLSL_INLINE float unevenWorley(vec2 at, ivec2 period, float turns, uint seed) {
+    // The lattice's own place is another in every pattern: nothing may stand nearer the origin than elsewhere.
+    vec2 p = at + vec2(float(int(hashOf(seed) & 4095u)), float(int(hashOf(seed + 1u) & 4095u))) * (2.0f / 4096.0f);
+    ivec2 corner = ivec2(cellOf(p.x), cellOf(p.y));
+    vec2 f = p - vec2(corner);
+    int x0 = wrapCell(corner.x - 1, period.x);
+    int x1 = x0 + 1 == period.x ? 0 : x0 + 1;
+    int x2 = x1 + 1 == period.x ? 0 : x1 + 1;
+    int y0 = wrapCell(corner.y - 1, period.y);
+    int y1 = y0 + 1 == period.y ? 0 : y0 + 1;
+    int y2 = y1 + 1 == period.y ? 0 : y1 + 1;
+    ivec3 x = ivec3(x0, x1, x2);
+    float north = unevenWanderers(x, y0, -1.0f, f, turns, seed);
+    float middle = unevenWanderers(x, y1, 0.0f, f, turns, seed);
+    float south = unevenWanderers(x, y2, 1.0f, f, turns, seed);
+    return min(min(north, min(middle, south)), 1.06f);
+}
+
 // What the volumes hold. `unit` runs over one period, 0..1 each way; every octave wraps at its end.
 // Ranges are those that the noise really has (measured, docs/clouds.md), carried to 0..1, so that a remap never
 // reaches for values that do not occur.

@@ -31,7 +31,7 @@ struct LayerShape {
     vec4 look;    // x: m, softness of edges; y: fraying of outlines in rank; z: 1 = sheet of fibres; w: m2/kg, extinction
                   // of one kg/m3
     vec4 body;    // x: m in the plane over which the rank changes by 1; y: by how much the threshold is above the cover; z: share of a
-                  // small cover that is anvil alone, 0: none; w: 0..8, along which of lib/cloud's ways the anvil's streaks lie
+                  // small cover on which no tower stands, 0: there is no anvil; w: 0..8, along which of lib/cloud's ways the anvil's streaks lie
     vec4 anchor;  // xyz: m, add to a position to come to the frame that drifts with the layer (wrapped); w: 1/m, periods
                   // of the shape volume
     vec4 detail;  // the same of the detail volume, which drifts a little faster
