@@ -347,7 +347,8 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampl
     // A wedge under a level top, its underside in soft bags (mamma); it sinks once more where it meets the tower.
     float towers = towerCover(c.cover, s);
     float flare = clamp((stormWay(towers, s) - stormWay(c.rank, s)) / mostInset(towers, s), 0.0f, 1.0f);  // 0 over the rim of its foot
-    vec3 q = p + vec3(s.anchor);
+    // The bags are a surface: asked in the plane, they take the same from the cover at whatever height it lies.
+    vec3 q = vec3(p.x + s.anchor.x, 0.0f, p.z + s.anchor.z);
     float lumps = 0.012f * streaks + 0.035f * (billowOf(textureLod(shape, q * (s.anchor.w * (4.0f / 3.0f)), min(lod + 0.5f, 3.5f))) - 0.5f);
     float high = (kAnvilTop + 0.008f * streaks - 0.015f * (1.0f - level)) * thickness;
     float low = (mix(kAnvilTop - 0.015f, kAnvilRim, level * level) - lumps * (1.0f - flare) - (kAnvilRim - kAnvilFoot) * flare * flare) * thickness;

@@ -134,19 +134,23 @@ GLSL_INLINE float flowNoise(vec2 p, ivec2 period, float turns, uint seed) {
 // There and back between 0 and 1 once a turn, at an even pace, so that every place is as likely as another.
 GLSL_FUNCTION float shuttle(float turns) { return abs(2.0f * (turns - float(int(turns))) - 1.0f); }
 
+// How far from a cell's edge its point stays, and how far it wanders: nearly at will, and a little more evenly spaced.
+GLSL_CONST vec2 kFreeRoom = vec2(0.06f, 0.88f);
+GLSL_CONST vec2 kEvenRoom = vec2(0.12f, 0.76f);
+
 // Square of the distance from `f` to the feature point of the cell with hash `h`, whose corner is at `corner`. In cells.
-GLSL_FUNCTION float wandererSquare(uint h, vec2 corner, vec2 f, float turns) {
+GLSL_FUNCTION float wandererSquare(uint h, vec2 corner, vec2 f, float turns, vec2 room) {
     float pace = turns * (0.6f + 0.8f / 255.0f * float(int(h & 255u)));
-    float px = corner.x + 0.06f + 0.88f * shuttle(float(int((h >> 8u) & 4095u)) * (1.0f / 4096.0f) + pace) - f.x;
-    float py = corner.y + 0.06f + 0.88f * shuttle(float(int(h >> 20u)) * (1.0f / 4096.0f) + pace) - f.y;
+    float px = corner.x + room.x + room.y * shuttle(float(int((h >> 8u) & 4095u)) * (1.0f / 4096.0f) + pace) - f.x;
+    float py = corner.y + room.x + room.y * shuttle(float(int(h >> 20u)) * (1.0f / 4096.0f) + pace) - f.y;
     return px * px + py * py;
 }
 
 // The nearest of three neighbours in a row of cells, squared; `x`: their wrapped places.
 GLSL_FUNCTION float wanderersSquare(ivec3 x, uint row, float y, vec2 f, float turns) {
-    float west = wandererSquare(hashOf(uint(x.x) + row), vec2(-1.0f, y), f, turns);
-    float here = wandererSquare(hashOf(uint(x.y) + row), vec2(0.0f, y), f, turns);
-    float east = wandererSquare(hashOf(uint(x.z) + row), vec2(1.0f, y), f, turns);
+    float west = wandererSquare(hashOf(uint(x.x) + row), vec2(-1.0f, y), f, turns, kFreeRoom);
+    float here = wandererSquare(hashOf(uint(x.y) + row), vec2(0.0f, y), f, turns, kFreeRoom);
+    float east = wandererSquare(hashOf(uint(x.z) + row), vec2(1.0f, y), f, turns, kFreeRoom);
     return min(west, min(here, east));
 }
 
@@ -170,12 +174,15 @@ GLSL_INLINE float flowWorley(vec2 p, ivec2 period, float turns, uint seed) {
 
 // Distance to the point of a cell whose corner is at `corner`, and how much later than the strongest it begins: of every four cells one is
 // strong, the others begin by a fifth of a cell later and more. Dealt so, not at will, each square of 2 x 2 cells holds about as much as
-// the next. All swell and fade a little as they wander; the middle of each is round, lest it be drawn as a needle.
+// the next; none of the strong one's neighbours is the next in strength more often than another, lest the plane have a grain.
+// All swell and fade a little as they wander; the middle of each is round, lest it be drawn as a needle.
 GLSL_FUNCTION float unevenWanderer(int x, int y, vec2 corner, vec2 f, float turns, uint seed) {
-    int weaker = ((x & 1) + 2 * (y & 1)) ^ int(hashOf2(x / 2, y / 2, seed + 23u) & 3u);
+    uint deal = hashOf2(x / 2, y / 2, seed + 23u);
+    int place = ((x & 1) + 2 * (y & 1)) ^ int(deal & 3u);
+    int weaker = place > 0 ? 1 + (place + int((deal >> 2u) & 255u)) % 3 : 0;
     uint h = hashOf(uint(x) + hashOf(uint(y) + seed));
     float later = (weaker > 0 ? 0.16f + 0.04f * float(weaker) : 0.0f) + 0.03f * shuttle(unitFromHash(hashOf(h)) + turns);
-    return sqrt(wandererSquare(h, corner, f, turns) + 0.04f) + later;
+    return sqrt(wandererSquare(h, corner, f, turns, kEvenRoom) + 0.04f) + later;
 }
 
 GLSL_FUNCTION float unevenWanderers(ivec3 x, int y, float row, vec2 f, float turns, uint seed) {
