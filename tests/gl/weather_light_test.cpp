@@ -10,6 +10,7 @@
 #include "engine/weather/cloud_pattern.h"
 #include "engine/weather/lightning.h"
 #include "engine/weather/presets.h"
+#include "engine/weather/showers.h"
 #include "engine/weather/source.h"
 #include "tests/gl/gl_fixture.h"
 
@@ -34,6 +35,11 @@ struct View {
         snapshot.sky = sky::skyState(snapshot.place, time);
     }
     void stand(double altitude) { snapshot.camera.positionWorld = {0.0, altitude, 0.0}; }
+    /// At the height where it is, m east and south.
+    void move(glm::dvec2 const& eastSouth) {
+        snapshot.camera.positionWorld.x = eastSouth.x;
+        snapshot.camera.positionWorld.z = eastSouth.y;
+    }
     /// Azimuth and elevation, rad.
     void look(double azimuth, double elevation, double fov_deg) {
         glm::dvec3 const ahead = sky::directionWorld(azimuth, elevation);
@@ -77,6 +83,47 @@ std::map<int, double> differenceByAngle(View const& view, assets::FloatImage con
     return means;
 }
 
+/// Where the storms of a view stand, asked of the weather itself: a test needs a storm before the eye, whatever the pattern deals.
+class Storms {
+public:
+    explicit Storms(View const& view)
+        : layer_{*std::find_if(view.snapshot.weather.layers.begin(), view.snapshot.weather.layers.end(), [](weather::Layer const& layer) { return layer.genus == weather::Genus::Cb; })},
+          pattern_{layer_, view.snapshot.seed} {}
+
+    /// How deep in a shaft a point under the bases is, 0..1.
+    double rain(glm::dvec3 const& world) const {
+        if (world.y > static_cast<double>(layer_.base)) return 0.0;
+        return weather::showerInside(weather::Genus::Cb, rank(world), static_cast<double>(layer_.cover)).here;
+    }
+    /// Whether no storm stands between a point and the sun, each taken for a cone.
+    bool sunlit(glm::dvec3 const& world, glm::dvec3 const& sun) const {
+        for (double way = 500.0; world.y + way * sun.y < static_cast<double>(layer_.top); way += 1500.0) {
+            glm::dvec3 const on = world + way * sun;
+            double const share = std::max((on.y - static_cast<double>(layer_.base)) / static_cast<double>(layer_.top - layer_.base), 0.0);
+            if (rank(on) < static_cast<double>(layer_.cover) * (1.0 - 0.7 * share)) return false;
+        }
+        return true;
+    }
+
+private:
+    double rank(glm::dvec3 const& world) const { return static_cast<double>(pattern_.rank(world.x, -world.z)); }
+    weather::Layer layer_;
+    weather::LayerPattern pattern_;
+};
+
+/// Moves the eye to the best place within 36 km. `worth`: of an eye in the world.
+template <class Worth>
+void findPlace(View& view, Worth const& worth) {
+    double best = -1e9;
+    glm::dvec2 place{0.0};
+    for (int i = 0; i < 25 * 25; ++i) {
+        glm::dvec2 const there = 3000.0 * (glm::dvec2{i % 25, i / 25} - 12.0);
+        double const here = worth(glm::dvec3{there.x, view.snapshot.camera.positionWorld.y, there.y});
+        if (here > best) best = here, place = there;
+    }
+    view.move(place);
+}
+
 double greatestAt(std::map<int, double> const& values, double low, double high) {
     double best = low, most = -1e9;
     for (auto const& [bin, value] : values) {
@@ -100,6 +147,19 @@ TEST_F(WeatherLight, TheRainbowStandsAt42DegreesAroundTheShadowOfTheEyeAndSnowHa
     glm::dvec3 const shadow = -view.snapshot.sky.sunDirectionWorld;
     ASSERT_LT(core::degrees(sky::elevation(-shadow)), 35.0);
     view.look(sky::azimuth(shadow), 0.2, 110.0);
+    Storms const storms{view};
+    findPlace(view, [&](glm::dvec3 const& eye) {  // sunlit rain along the bow
+        if (storms.rain(eye) > 0.0) return -1.0;
+        double sum = 0.0;
+        for (int degrees = -70; degrees <= 70; degrees += 10) {
+            glm::dvec3 const right = glm::normalize(glm::cross(shadow, glm::dvec3{0.0, 1.0, 0.0}));
+            glm::dvec3 const out = std::sin(core::radians(degrees)) * right + std::cos(core::radians(degrees)) * glm::cross(right, shadow);
+            glm::dvec3 const way = std::cos(core::radians(42.0)) * shadow + std::sin(core::radians(42.0)) * out;
+            for (double distance = 1000.0; way.y > 0.02 && distance < 8000.0; distance += 1000.0)
+                if (double const rain = storms.rain(eye + distance * way); rain > 0.0 && storms.sunlit(eye + distance * way, -shadow)) sum += rain;
+        }
+        return sum;
+    });
     view.snapshot.weather.freezingLevel = 4000.0;
     assets::FloatImage const rain = view.draw();
     view.snapshot.weather.precipitation = weather::Precipitation::Snow;
@@ -133,6 +193,20 @@ TEST_F(WeatherLight, ShaftsStandUnderTheStormsAndDimWhatIsBehindThem) {
     // Looking along the level under the bases: dark or bright shafts where the rank says rain, nothing between.
     View view{"preset:showers", "2023-06-21T10:30Z", {192, 108}};
     view.look(0.0, 0.02, 100.0);
+    Storms const storms{view};
+    findPlace(view, [&](glm::dvec3 const& eye) {  // shafts ahead, none near
+        double sum = 0.0;
+        for (int degrees = -45; degrees <= 45; degrees += 5) {
+            double deepest = 0.0;
+            for (double distance = 0.0; distance < 16000.0; distance += 1000.0) {
+                double const rain = storms.rain(eye + distance * sky::directionWorld(core::radians(degrees), 0.03));
+                if (rain > 0.0 && distance < 4000.0) return -1.0;
+                deepest = std::max(deepest, rain);
+            }
+            sum += deepest;
+        }
+        return sum;
+    });
     assets::FloatImage const wet = view.draw();
     view.snapshot.weather.precipitation = weather::Precipitation::None;
     weather::Recording dry = *weather::presetRecording("showers", std::nullopt);
