@@ -22,7 +22,7 @@ constexpr float kReach = 390'000.0f;    // m: the horizon of 12 km
 /// A volume, or the plane of one that is a texel high.
 template <class Texture, class Size>
 Texture noiseTexture(weather::NoiseVolume const& volume, std::string_view label) {
-    Texture texture{gl::Format::rgba8, Size{volume.size()}, volume.levelCount(), label};
+    Texture texture{volume.channels() == 1 ? gl::Format::r8 : gl::Format::rgba8, Size{volume.size()}, volume.levelCount(), label};
     for (int level = 0; level < volume.levelCount(); ++level)
         texture.upload(std::span<std::uint8_t const>{volume.texels(level)}, level);
     return texture;

@@ -20,17 +20,17 @@ std::size_t texelCount(glm::ivec3 const& size) {
 }
 
 /// The next level: the mean of the texels that it covers.
-std::vector<std::uint8_t> halved(std::vector<std::uint8_t> const& texels, glm::ivec3 const& size, glm::ivec3 const& half) {
-    std::vector<std::uint8_t> result(texelCount(half) * 4);
+std::vector<std::uint8_t> halved(std::vector<std::uint8_t> const& texels, std::size_t channels, glm::ivec3 const& size, glm::ivec3 const& half) {
+    std::vector<std::uint8_t> result(texelCount(half) * channels);
     glm::ivec3 const step = size / half;  // 2, or 1 where the side is 1 already
     unsigned const count = static_cast<unsigned>(step.x * step.y * step.z);
-    auto const at = [](glm::ivec3 const& s, int x, int y, int z) {
-        return static_cast<std::size_t>((z * s.y + y) * s.x + x) * 4;
+    auto const at = [channels](glm::ivec3 const& s, int x, int y, int z) {
+        return static_cast<std::size_t>((z * s.y + y) * s.x + x) * channels;
     };
     for (int z = 0; z < half.z; ++z)
         for (int y = 0; y < half.y; ++y)
             for (int x = 0; x < half.x; ++x)
-                for (std::size_t channel = 0; channel < 4; ++channel) {
+                for (std::size_t channel = 0; channel < channels; ++channel) {
                     unsigned sum = count / 2;
                     for (int dz = 0; dz < step.z; ++dz)
                         for (int dy = 0; dy < step.y; ++dy)
@@ -43,10 +43,10 @@ std::vector<std::uint8_t> halved(std::vector<std::uint8_t> const& texels, glm::i
 
 std::uint8_t byteOf(float unit) { return static_cast<std::uint8_t>(glm::clamp(unit, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-/// Fills a volume slice by slice on `workers` threads; `noise` takes the centre of a texel, 0..1 each way.
+/// Fills a volume slice by slice on `workers` threads; `noise` takes the centre of a texel, 0..1 each way; its first `channels` are kept.
 template <class Noise>
-NoiseVolume filled(glm::ivec3 const& size, int workers, Noise noise) {
-    std::vector<std::uint8_t> texels(texelCount(size) * 4);
+NoiseVolume filled(glm::ivec3 const& size, int channels, int workers, Noise noise) {
+    std::vector<std::uint8_t> texels(texelCount(size) * static_cast<std::size_t>(channels));
     std::atomic<int> nextRow{0};
     auto const work = [&] {
         for (int row = nextRow++; row < size.y * size.z; row = nextRow++)
@@ -54,15 +54,15 @@ NoiseVolume filled(glm::ivec3 const& size, int workers, Noise noise) {
                 glm::vec3 const texel{x, row % size.y, row / size.y};
                 glm::vec4 const value = noise((texel + 0.5f) / glm::vec3{size});
                 std::uint8_t* const out = &texels[(static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
-                                                   static_cast<std::size_t>(x)) * 4];
-                for (int channel = 0; channel < 4; ++channel) out[channel] = byteOf(value[channel]);
+                                                   static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels)];
+                for (int channel = 0; channel < channels; ++channel) out[channel] = byteOf(value[channel]);
             }
     };
     std::vector<std::jthread> threads;
     for (int i = 1; i < workers; ++i) threads.emplace_back(work);
     work();
     threads.clear();
-    return NoiseVolume{size, std::move(texels)};
+    return NoiseVolume{size, channels, std::move(texels)};
 }
 
 void writeVolume(NoiseVolume const& volume, std::filesystem::path const& file) {
@@ -75,15 +75,15 @@ void writeVolume(NoiseVolume const& volume, std::filesystem::path const& file) {
     core::writeFileAtomically(file, bytes);
 }
 
-NoiseVolume loadVolume(std::filesystem::path const& file, glm::ivec3 const& expected) {
+NoiseVolume loadVolume(std::filesystem::path const& file, glm::ivec3 const& expected, int channels) {
     std::string const bytes = core::readFile(file);
     glm::ivec3 size{0};
     if (bytes.size() >= kHeaderBytes) std::memcpy(&size, bytes.data() + 4, 12);
     if (size != expected || std::memcmp(bytes.data(), kMagic.data(), 4) != 0 ||
-        bytes.size() != kHeaderBytes + texelCount(size) * 4)
+        bytes.size() != kHeaderBytes + texelCount(size) * static_cast<std::size_t>(channels))
         throw core::Error{file.string(), "header",
-                          fmt::format("expected a noise volume of {} x {} x {}", expected.x, expected.y, expected.z)};
-    return NoiseVolume{size, {bytes.begin() + kHeaderBytes, bytes.end()}};
+                          fmt::format("expected a noise volume of {} x {} x {}, {} channels", expected.x, expected.y, expected.z, channels)};
+    return NoiseVolume{size, channels, {bytes.begin() + kHeaderBytes, bytes.end()}};
 }
 
 constexpr glm::ivec3 kShape{kShapeSize};
@@ -91,22 +91,22 @@ constexpr glm::ivec3 kDetail{kDetailSize};
 constexpr glm::ivec3 kCurl{kCurlSize, kCurlSize, 1};
 }  // namespace
 
-NoiseVolume::NoiseVolume(glm::ivec3 const& size, std::vector<std::uint8_t> texels) {
-    CHECK(texels.size() == texelCount(size) * 4, "{} bytes for {} texels", texels.size(), texelCount(size));
+NoiseVolume::NoiseVolume(glm::ivec3 const& size, int channels, std::vector<std::uint8_t> texels) : channels_{channels} {
+    CHECK(texels.size() == texelCount(size) * static_cast<std::size_t>(channels), "{} bytes for {} texels", texels.size(), texelCount(size));
     texels_.push_back(std::move(texels));
     std::vector<glm::ivec3> sizes{size};
     while (sizes.back() != glm::ivec3{1}) {
         glm::ivec3 const half = glm::max(sizes.back() / 2, glm::ivec3{1});
-        texels_.push_back(halved(texels_.back(), sizes.back(), half));
+        texels_.push_back(halved(texels_.back(), static_cast<std::size_t>(channels), sizes.back(), half));
         sizes.push_back(half);
     }
     for (std::size_t i = 0; i < sizes.size(); ++i) levels_.push_back({texels_[i].data(), sizes[i]});
 }
 
 NoiseVolumes makeNoise(unsigned seed, int workers) {
-    return {filled(kShape, workers, [=](glm::vec3 const& unit) { return glsl::shapeNoise(unit, seed); }),
-            filled(kDetail, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::detailNoise(unit, seed), 1.0f}; }),
-            filled(kCurl, workers, [=](glm::vec3 const& unit) {
+    return {filled(kShape, 1, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::billowNoise(unit, seed), 0.0f, 0.0f, 0.0f}; }),
+            filled(kDetail, 4, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::detailNoise(unit, seed), 1.0f}; }),
+            filled(kCurl, 4, workers, [=](glm::vec3 const& unit) {
                 return glsl::curlNoise(glm::vec2{unit.x, unit.y}, seed) * 0.5f + 0.5f;
             })};
 }
@@ -118,7 +118,7 @@ void writeNoise(NoiseVolumes const& volumes, std::filesystem::path const& folder
 }
 
 NoiseVolumes loadNoise(std::filesystem::path const& folder) {
-    return {loadVolume(folder / "noise_shape.bin", kShape), loadVolume(folder / "noise_detail.bin", kDetail),
-            loadVolume(folder / "noise_curl.bin", kCurl)};
+    return {loadVolume(folder / "noise_shape.bin", kShape, 1), loadVolume(folder / "noise_detail.bin", kDetail, 4),
+            loadVolume(folder / "noise_curl.bin", kCurl, 4)};
 }
 }  // namespace luftpost::weather

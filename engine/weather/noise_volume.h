@@ -10,27 +10,30 @@
 #include "shaders/shared/sampler3d.glsl.h"
 
 namespace luftpost::weather {
-/// 8-bit RGBA texels with all mipmaps (mean of 2 x 2 x 2, rounded). Repeats in every direction. Immutable; the
+/// 8-bit texels of one or four channels with all mipmaps (mean of 2 x 2 x 2, rounded). Repeats in every direction. Immutable; the
 /// sampler stays good as long as the volume lives and is not moved from.
 class NoiseVolume {
 public:
-    /// Level 0: size.x * size.y * size.z * 4 bytes, sizes powers of two.
-    NoiseVolume(glm::ivec3 const& size, std::vector<std::uint8_t> texels);
+    /// Level 0: size.x * size.y * size.z * channels bytes, sizes powers of two.
+    NoiseVolume(glm::ivec3 const& size, int channels, std::vector<std::uint8_t> texels);
     NoiseVolume(NoiseVolume&&) noexcept = default;  // the texels stay where they are; a copy's would not
     NoiseVolume& operator=(NoiseVolume&&) noexcept = default;
 
     glm::ivec3 size() const { return levels_.front().size; }
+    int channels() const { return channels_; }
     int levelCount() const { return static_cast<int>(levels_.size()); }
     std::vector<std::uint8_t> const& texels(int level) const { return texels_[static_cast<std::size_t>(level)]; }
-    glsl::sampler3D sampler() const { return {levels_.data(), levelCount()}; }
+    glsl::sampler3D sampler() const { return {levels_.data(), levelCount()}; }      // of four channels
+    glsl::billowSampler billows() const { return {levels_.data(), levelCount()}; }  // of one
     glsl::planeSampler plane() const { return {levels_.data(), levelCount()}; }  // of a volume one texel high
 
 private:
+    int channels_ = 4;
     std::vector<std::vector<std::uint8_t>> texels_;
     std::vector<glsl::VolumeLevel> levels_;
 };
 
-inline constexpr int kShapeSize = 128;   // Perlin-Worley and three Worley octaves, 128 x 128 x 128
+inline constexpr int kShapeSize = 128;   // billows, 128 x 128 x 128, one channel
 inline constexpr int kDetailSize = 32;   // three Worley octaves, 32 x 32 x 32
 inline constexpr int kCurlSize = 128;    // curl, fray and grain, 128 x 128 x 1
 inline constexpr unsigned kNoiseSeed = 1;

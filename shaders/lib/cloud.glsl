@@ -135,11 +135,6 @@ GLSL_FUNCTION float sheetDepth(vec3 p, LayerColumn c, LayerShape s, planeSampler
     return 0.07f * smoothstep(0.0f, 0.15f, margin) + full * body * mix(0.5f, strand * strand, s.form.y);
 }
 
-// The shape volume as one number, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
-GLSL_FUNCTION float billowOf(vec4 noise) {
-    return clamp((0.20f * noise.x + 0.32f * noise.y + 0.28f * noise.z + 0.20f * noise.w - 0.25f) * 2.0f, 0.0f, 1.0f);
-}
-
 // From this lod on the fine things are left out: fraying of the outlines, and the detail, whose mean is taken.
 GLSL_CONST float kCoarseLod = 2.5f;
 
@@ -209,7 +204,7 @@ GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as 
 #endif
 
 // A layer with a body, its anvil apart.
-GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
                                      planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
@@ -243,9 +238,9 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     // What the noise takes from them.
     vec3 q = p + vec3(s.anchor) - vec3(s.wind.z, 0.0f, s.wind.w) * above;
     float reach = min(s.form.z, 0.25f * thickness);
-    float carve = reach * (1.0f - billowOf(textureLod(shape, q * s.anchor.w, min(lod, 3.5f))));
+    float carve = reach * (1.0f - textureLod(shape, q * s.anchor.w, min(lod, 3.5f)).x);
     if (hasTowers(s)) {  // turrets upon turrets; never so deep that a narrow tower would break into pieces
-        float turrets = 1.0f - billowOf(textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f)));
+        float turrets = 1.0f - textureLod(shape, q * (s.anchor.w / 3.0f), max(min(lod, 3.5f) - 1.0f, 0.0f)).x;
         carve = (kKnobs * carve + kTurrets * reach * turrets) * min(kDeepestCarve * radius / reach, 1.0f) + kShed;
     }
     float ripple = min(s.form.w, 0.1f * thickness);
@@ -328,7 +323,7 @@ GLSL_FUNCTION float anvilShare(float rank, float cover, LayerShape s) {
     return (rim - stormWay(rank, s)) / max(rim - stormWay(towers, s) + mostInset(towers, s), 1.0f);
 }
 
-GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, planeSampler curl, float lod) {
+GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
@@ -349,7 +344,7 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampl
     float flare = clamp((stormWay(towers, s) - stormWay(c.rank, s)) / mostInset(towers, s), 0.0f, 1.0f);  // 0 over the rim of its foot
     // The bags are a surface: asked in the plane, they take the same from the cover at whatever height it lies.
     vec3 q = vec3(p.x + s.anchor.x, 0.0f, p.z + s.anchor.z);
-    float lumps = 0.012f * streaks + 0.035f * (billowOf(textureLod(shape, q * (s.anchor.w * (4.0f / 3.0f)), min(lod + 0.5f, 3.5f))) - 0.5f);
+    float lumps = 0.012f * streaks + 0.035f * (textureLod(shape, q * (s.anchor.w * (4.0f / 3.0f)), min(lod + 0.5f, 3.5f)).x - 0.5f);
     float high = (kAnvilTop + 0.008f * streaks - 0.015f * (1.0f - level)) * thickness;
     float low = (mix(kAnvilTop - 0.015f, kAnvilRim, level * level) - lumps * (1.0f - flare) - (kAnvilRim - kAnvilFoot) * flare * flare) * thickness;
     float inside = min(above - low, high - above);
@@ -385,7 +380,7 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
 
 // A layer with a body at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
 // at lod n faces are blurred as what is 32 m 2^n wide sees them.
-GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
                                       planeSampler curl, float lod) {
     float share = (p.y - c.base) / (c.top - c.base);
     if (share <= 0.0f || share >= 1.0f) return noCloud();
@@ -395,7 +390,7 @@ GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampl
 }
 
 // Any layer at one point, sheets of fibres too.
-GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
+GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
                                       planeSampler curl, float lod) {
     if (s.look.z <= 0.5f) return solidSample(p, c, s, shape, detail, curl, lod);
     CloudSample result = noCloud();
@@ -435,7 +430,7 @@ GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
 }
 
 // Extinction of all the clouds at a point, 1/m.
-GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, sampler3D shape, sampler3D detail, planeSampler curl,
+GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, billowSampler shape, sampler3D detail, planeSampler curl,
                             float lod) {
     float sum = 0.0f;
     for (int i = 0; i < kCloudLayers; ++i)

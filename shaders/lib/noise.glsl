@@ -243,6 +243,12 @@ GLSL_FUNCTION vec4 shapeNoise(vec3 unit, uint seed) {
                 ramp(fine, 0.08f, 0.8f));
 }
 
+// Their sum as the clouds take it, 0..1 over the whole of its range: 1 on the billows, 0 in the creases.
+GLSL_FUNCTION float billowNoise(vec3 unit, uint seed) {
+    vec4 noise = shapeNoise(unit, seed);
+    return clamp((0.20f * noise.x + 0.32f * noise.y + 0.28f * noise.z + 0.20f * noise.w - 0.25f) * 2.0f, 0.0f, 1.0f);
+}
+
 // Three Worley octaves for the edges.
 GLSL_FUNCTION vec3 detailNoise(vec3 unit, uint seed) {
     float w2 = billows(unit, 2, seed + 21u);

@@ -1,6 +1,6 @@
 // In C++ a sampler3D is a view of 8-bit RGBA volumes that somebody else owns (weather/noise_volume.h), read as GLSL
-// reads a texture with linear filtering, the nearest mipmap and repetition; a planeSampler is the same of volumes one texel
-// high. In GLSL they are the built-in ones.
+// reads a texture with linear filtering, the nearest mipmap and repetition; a billowSampler is the same of volumes of one channel, a planeSampler
+// of volumes one texel high. In GLSL they are the built-in ones.
 #ifndef LUFTPOST_SAMPLER3D_GLSL_H
 #define LUFTPOST_SAMPLER3D_GLSL_H
 #include "shaders/shared/language.glsl.h"
@@ -13,7 +13,7 @@
 namespace luftpost::glsl {
 using namespace glm;
 struct VolumeLevel {
-    std::uint8_t const* texels = nullptr;  // RGBA, x fastest, then y, then z
+    std::uint8_t const* texels = nullptr;  // RGBA, of a billowSampler R alone; x fastest, then y, then z
     ivec3 size{0};                         // powers of two
 };
 
@@ -64,6 +64,27 @@ inline vec4 volumeLinear(VolumeLevel const& level, vec3 const& unit) {
     return channelsOf(between(between(row(y0, z0), row(y1, z0), f.y), between(row(y0, z1), row(y1, z1), f.y), f.z));
 }
 
+struct billowSampler {
+    VolumeLevel const* levels = nullptr;
+    int levelCount = 0;
+};
+
+/// Eight texels of one channel, weighted; 0..255.
+inline float billowLinear(VolumeLevel const& level, vec3 const& unit) {
+    vec3 const p = unit * vec3{level.size} - 0.5f;
+    vec3 const corner = floor(p);
+    vec3 const f = p - corner;
+    int const x0 = static_cast<int>(corner.x) & (level.size.x - 1), x1 = (x0 + 1) & (level.size.x - 1);
+    int const y0 = static_cast<int>(corner.y) & (level.size.y - 1), y1 = (y0 + 1) & (level.size.y - 1);
+    int const z0 = static_cast<int>(corner.z) & (level.size.z - 1), z1 = (z0 + 1) & (level.size.z - 1);
+    auto const row = [&](int y, int z) {
+        std::uint8_t const* const texels = level.texels + (z * level.size.y + y) * level.size.x;
+        return static_cast<float>(texels[x0]) * (1.0f - f.x) + static_cast<float>(texels[x1]) * f.x;
+    };
+    float const low = row(y0, z0) * (1.0f - f.y) + row(y1, z0) * f.y, high = row(y0, z1) * (1.0f - f.y) + row(y1, z1) * f.y;
+    return low * (1.0f - f.z) + high * f.z;
+}
+
 struct planeSampler {
     VolumeLevel const* levels = nullptr;
     int levelCount = 0;
@@ -89,11 +110,16 @@ inline vec4 textureLod(sampler3D const& volume, vec3 const& unit, float lod) {
     return volumeLinear(nearestLevel(volume.levels, volume.levelCount, lod), unit) * (1.0f / 255.0f);
 }
 
+inline vec4 textureLod(billowSampler const& volume, vec3 const& unit, float lod) {
+    return vec4{billowLinear(nearestLevel(volume.levels, volume.levelCount, lod), unit) * (1.0f / 255.0f), 0.0f, 0.0f, 1.0f};
+}
+
 inline vec4 textureLod(planeSampler const& plane, vec2 const& unit, float lod) {
     return planeLinear(nearestLevel(plane.levels, plane.levelCount, lod), unit) * (1.0f / 255.0f);
 }
 }  // namespace luftpost::glsl
 #else
 #define planeSampler sampler2D
+#define billowSampler sampler3D
 #endif
 #endif

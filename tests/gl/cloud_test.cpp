@@ -22,7 +22,7 @@ class CloudTest : public GlTest {};
 /// `Texture`: Texture3D, or Texture2D for a volume one texel high, with the vector of its size.
 template <class Texture, class Size>
 void expectTwin(gl::ProgramLibrary& programs, char const* name, weather::NoiseVolume const& made, unsigned seed) {
-    Texture texture{gl::Format::rgba8, Size{made.size()}, 1, name};
+    Texture texture{made.channels() == 1 ? gl::Format::r8 : gl::Format::rgba8, Size{made.size()}, 1, name};
     gl::Program const& program = programs.compute(name);
     program.use();
     program.set("seed", seed);

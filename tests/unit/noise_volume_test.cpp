@@ -15,7 +15,7 @@ using weather::NoiseVolume;
 NoiseVolume small() {
     std::vector<std::uint8_t> texels(4 * 4 * 4 * 4);
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i * 37 % 251);
-    return NoiseVolume{glm::ivec3{4}, texels};
+    return NoiseVolume{glm::ivec3{4}, 4, texels};
 }
 
 TEST(NoiseVolume, MipmapsAreMeans) {
@@ -34,6 +34,18 @@ TEST(NoiseVolume, SamplerGivesTexelsAtTheirCentresAndRepeats) {
         EXPECT_NEAR(glsl::textureLod(volume.sampler(), unit, 0.0f).x, texel, 1e-5f);
         EXPECT_NEAR(glsl::textureLod(volume.sampler(), unit + glm::vec3{-3.0f, 2.0f, 1.0f}, 0.0f).x, texel, 1e-4f);
     }
+}
+
+TEST(NoiseVolume, BillowsAreAChannelOfTheSame) {
+    NoiseVolume const four = small();
+    std::vector<std::uint8_t> texels;
+    for (std::size_t i = 0; i < four.texels(0).size(); i += 4) texels.push_back(four.texels(0)[i]);
+    NoiseVolume const one{glm::ivec3{4}, 1, texels};
+    for (float lod : {0.0f, 1.0f, 2.0f})
+        for (float at : {0.03f, 0.41f, 0.77f, 1.9f}) {
+            glm::vec3 const unit{at, 0.6f - at, 2.0f * at};
+            EXPECT_NEAR(glsl::textureLod(one.billows(), unit, lod).x, glsl::textureLod(four.sampler(), unit, lod).x, 1e-5f) << lod << " " << at;
+        }
 }
 
 TEST(NoiseVolume, FilesComeBackAsTheyWere) {
