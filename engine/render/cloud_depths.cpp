@@ -51,16 +51,18 @@ void CloudDepths::place(Snapshot const& snapshot, CloudScene& scene) {
     scene.setDepthPlaces(places, {heights, any ? 1.0f : 0.0f});
 }
 
-void CloudDepths::draw(CloudScene const& scene) {
-    if (scene.empty() || scene.block().depthHeights.w < 0.5f) return;
+GridRows CloudDepths::draw(CloudScene const& scene) {
+    if (scene.empty() || scene.block().depthHeights.w < 0.5f) return {};
     gl::Program const& program = program_.of(scene);
     program.use();
-    program.set("firstRow", whole_ ? 0 : band_ * (kSide / kBands));
+    GridRows const rows{whole_ ? 0 : band_ * (kSide / kBands), whole_ ? kSide : kSide / kBands, whole_};
+    program.set("firstRow", rows.first);
     grids_.bindImage(0, gl::Access::write);
-    gl::dispatch({kSide / 8, (whole_ ? kSide : kSide / kBands) / 8, 2});
+    gl::dispatch({kSide / 8, rows.count / 8, 2});
     gl::barrier(gl::Barrier::textureFetch);
     band_ = (band_ + 1) % kBands;
     whole_ = false;
+    return rows;
 }
 
 void CloudDepths::bind() const {

@@ -4,6 +4,7 @@
 #include "engine/gl/program_library.h"
 #include "engine/gl/sampler.h"
 #include "engine/gl/texture.h"
+#include "engine/render/cloud_glow.h"
 #include "engine/render/cloud_program.h"
 
 namespace luftpost::render {
@@ -16,8 +17,8 @@ public:
 
     /// Where the grids lie this frame; before the scene's block is uploaded.
     void place(Snapshot const& snapshot, CloudScene& scene);
-    /// After the sky's tables are bound.
-    void draw(CloudScene const& scene);
+    /// After the sky's tables are bound. What it drew anew.
+    GridRows draw(CloudScene const& scene);
     /// For the passes that read them.
     void bind() const;
     std::size_t bytes() const { return grids_.bytes(); }

@@ -36,6 +36,7 @@ CloudPass::CloudPass(gl::ProgramLibrary& programs)
       scene_{programs},
       shadow_{programs},
       depths_{programs},
+      glow_{programs},
       shade_{programs} {}
 
 void CloudPass::describe(Snapshot const& snapshot) {
@@ -49,8 +50,10 @@ void CloudPass::prepare(FrameContext const& context) {
     scene_.bind();
     if (!context.tile) shadow_.draw(context, scene_);
     shadow_.bind();
-    if (!context.tile) depths_.draw(scene_);
+    GridRows const rows = context.tile ? GridRows{} : depths_.draw(scene_);
     depths_.bind();
+    glow_.draw(rows);
+    glow_.bind();
     if (!context.tile) shade_.draw(context, scene_);
     shade_.bind();
 }
@@ -141,7 +144,7 @@ gl::Texture2D const* CloudPass::facts() const {
 }
 
 std::size_t CloudPass::screenBytes() const {
-    std::size_t sum = shadow_.bytes() + depths_.bytes() + shade_.bytes();
+    std::size_t sum = shadow_.bytes() + depths_.bytes() + glow_.bytes() + shade_.bytes();
     for (std::optional<Store> const& store : stores_)
         if (store) sum += store->light.bytes() + store->facts.bytes();
     return sum + rays_.bytes();

@@ -62,6 +62,7 @@ private:
     CloudScene scene_;
     CloudShadow shadow_;
     CloudDepths depths_;
+    CloudGlow glow_;
     AirShade shade_;
     std::array<std::optional<Store>, 2> stores_;
     gl::Buffer rays_;                // CloudRayList of lib/cloud_rays.glsl

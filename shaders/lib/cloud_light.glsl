@@ -12,7 +12,8 @@
 //   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
-//     leaks out.
+//     leaks out. Around the camera that is solved on a grid instead, the glow (lib/cloud_glow.glsl), and the sample only puts right
+//     what the grid is too coarse for.
 // How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference). All phase functions
 // hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
@@ -63,6 +64,21 @@ GLSL_CONST float kManyThick = 0.93f;   // it takes a cloud to scatter many times
 GLSL_CONST float kManyPower = 1.62f;   // and the power of what does not get through
 GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
+
+// With the glow in place of the last of them:
+GLSL_CONST float kNearForward = 1.72f;
+GLSL_CONST float kNearFew = 0.40f;
+GLSL_CONST float kNearFewLobe = -0.30f;
+GLSL_CONST float kNearFewFade = 0.987f;
+GLSL_CONST float kGlow = 1.57f;
+GLSL_CONST float kGlowLeak = 0.15f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
+GLSL_CONST float kBeamKnown = 0.646f;  // what the glow's grid knows of the beam is taken out,
+GLSL_CONST float kBeamFade = 0.70f;    // and what the sample knows of it put in
+GLSL_CONST float kGlowAhead = 1.50f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
+GLSL_CONST float kSkyAhead = 2.44f;
+GLSL_CONST float kGlowAbove = 2.00f;
+GLSL_CONST float kGlowBelow = 0.38f;
+
 GLSL_CONST float kFromAbove = 1.66f;
 GLSL_CONST float kFromBelow = 0.95f;
 
@@ -86,6 +102,22 @@ GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth,
     float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
     float many = kManyTurns * kept * pow(1.0f - diffused(kManyThick * thin, s), kManyPower) * kIsotropic * sides * leak * max(inside, 0.0f);
     return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
+}
+
+// litByBeam where the glow of the beam is known (cloud_scene's glowAt).
+GLSL_FUNCTION float litByGlow(float cosine, float g, float toLight, float glow) {
+    float s = 1.0f - meanCosine(g);
+    float beam = exp(-toLight), met = 1.0f - beam;
+    float once = cloudPhase(cosine, g) * beam;
+    float forward = kNearForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
+    float few = kNearFew * met * henyeyGreenstein(cosine, kNearFewLobe) * exp(-kNearFewFade * s * toLight);
+    float many = kGlow * max(glow + kBeamKnown * kIsotropic * exp(-kBeamFade * s * toLight), 0.0f);
+    return once + forward + few + many;
+}
+
+// Of diffuse light, the same: `sky` is the glow of a sky of 1.
+GLSL_FUNCTION vec3 litBySkyGlow(vec3 fromAbove, vec3 fromBelow, float sky) {
+    return kGlowAbove * sky * fromAbove + kGlowBelow * (1.0f - sky) * fromBelow;
 }
 
 // The same of diffuse light: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere.

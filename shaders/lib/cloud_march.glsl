@@ -85,19 +85,23 @@ LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
     return there;
 }
 
+const float kThinnest = 0.015;  // 1/m: in thinner cloud the glow is asked for as near as in such
+
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
-vec3 lightAt(vec3 p, LightThere there, CloudSample here, float cosine, float lod, float first) {
+vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
     vec3 toward = there.toward;
-    vec3 beam = there.beam;
     LayersAbove overhead = layersAbove(p, toward);
-    vec3 light = vec3(0.0);
-    if (max(beam.r, max(beam.g, beam.b)) > 1e-9) {
-        float toLight = depthToward(p, toward, first, lod) + overhead.sheets;
-        // The light's way through the cloud is its height when it comes from above, its width when it comes along the plane.
-        float up = abs(toward.y), height = here.above + here.below;
-        light = beam * litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
-    }
-    return light + litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
+    float toLight = depthToward(p, toward, first, lod) + overhead.sheets;
+    float free = 1.0 / max(here.extinction, kThinnest);
+    float known = glowKnown(p);
+    float sun = glowAt(p + direction * (kGlowAhead * free)).x, sky = glowAt(p + direction * (kSkyAhead * free)).y;
+    // The light's way through the cloud is its height when it comes from above, its width when it comes along the plane.
+    float up = abs(toward.y), height = here.above + here.below;
+    float far = litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
+    float near = litByGlow(cosine, clouds.light.x, toLight, sun) * (1.0 - clouds.light.y * exp(-2.0 * here.depth));
+    vec3 diffuseFar = litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
+    vec3 diffuseNear = litBySkyGlow(there.fromAbove, there.fromBelow, sky * diffused(0.5 * overhead.sheets, 1.0 - clouds.light.x));
+    return there.beam * mix(far, near, known) + mix(diffuseFar, diffuseNear, known);
 }
 
 /// The sheets of fibres, a bit each.
@@ -328,7 +332,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         float weight = sum.ray.through * (1.0 - kept);
         // What little still reaches the eye needs no near billows on its way to the light.
         float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 18.0, 240.0);
-        if (inside) sum.ray.light += weight * lightAt(p, there, here, cosine, lodAt(walk.t, length), first);
+        if (inside) sum.ray.light += weight * lightAt(p, there, here, direction, cosine, lodAt(walk.t, length), first);
         sum.ray.distance += weight * middle;
         sum.weights += weight;
         sum.ray.through *= kept;

@@ -11,10 +11,12 @@ layout(binding = 10) uniform sampler2DArray cloudMap;    // ranks, [level * 4 + 
 layout(binding = 11) uniform sampler3D cloudShapeNoise;
 layout(binding = 12) uniform sampler3D cloudDetailNoise;
 layout(binding = 13) uniform planeSampler cloudCurlNoise;
+layout(binding = 17) uniform sampler3D cloudGlow;        // light that is scattered again and again, upright columns over the inner grid
 layout(binding = 16) uniform sampler3D cloudDepthGrid;   // optical depth toward the light, two grids of slices one upon the other
 
 const float kDeepest = 1000.0;        // optical depth toward a light that counts as all: more than a cumulonimbus has
 const int kDepthSlices = 32;        // of each grid
+const int kGlowSlices = 32;
 const float kLowestLight = 0.06;    // sine of the elevation: a lower light is taken to stand here
 
 /// Rank and how much of it is the outer level's coarse one.
@@ -170,6 +172,22 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
     float height = clamp((p.y - clouds.depthHeights.x) / (clouds.depthHeights.y - clouds.depthHeights.x), 0.0, 1.0);
     float slice = 0.5 * float(grid) + (height * (float(kDepthSlices) - 1.0) + 0.5) / (2.0 * float(kDepthSlices));
     return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
+}
+
+/// The glow (lib/cloud_glow.glsl) at a place: x: of the light's beam, per unit of irradiance, less kBeamKnown of what the beam brings there; y: of a
+/// sky of 1 above.
+vec2 glowAt(vec3 p) {
+    vec4 place = clouds.depthPlaces[0];
+    float height = (p.y - clouds.depthHeights.x) / (clouds.depthHeights.y - clouds.depthHeights.x);
+    return textureLod(cloudGlow, vec3((p.xz + place.xy) * place.z, clamp(height, 0.5 / float(kGlowSlices), 1.0 - 0.5 / float(kGlowSlices))), 0.0).rg;
+}
+
+/// How much of a place's light the glow knows: none beyond its columns, nor where clouds stand so high that slices are too thick for a base
+/// and what is above it.
+float glowKnown(vec3 p) {
+    float thick = (clouds.depthHeights.y - clouds.depthHeights.x) / float(kGlowSlices);
+    float near = 1.0 - smoothstep(0.40, 0.46, max(abs(p.x), abs(p.z)) * clouds.depthPlaces[0].z);
+    return clouds.depthHeights.w * near * (1.0 - smoothstep(100.0, 200.0, thick));
 }
 
 /// m of a way to the light between two slices of the grids: the lower the light, the longer.

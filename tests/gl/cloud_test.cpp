@@ -140,5 +140,31 @@ TEST_F(CloudTest, ASixteenthOfTheRaysComesToThePictureOfAll) {
     EXPECT_LT(difference / sum, 0.002);  // the same rays; half floats
     EXPECT_NEAR(meanAlpha(all), meanAlpha(few), 0.001);
 }
+
+// The glow is solved band by band as the eye moves on: it comes to what a still solves at once.
+TEST_F(CloudTest, GlowFoundOnTheWayIsThatOfAStill) {
+    Shot there{"preset:fair", 25.0};
+    there.snapshot.camera.positionWorld.x += 9000.0;
+    assets::FloatImage const still = there.draw();
+    Shot moved{"preset:fair", 25.0};
+    assets::FloatImage const before = moved.draw();
+    moved.snapshot.still = false;
+    moved.snapshot.frameSeconds = 0.0;
+    moved.snapshot.camera.positionWorld.x += 9000.0;
+    for (int frame = 0; frame < 16 * 12; ++frame) moved.renderer.draw(moved.snapshot);
+    assets::FloatImage const found = moved.renderer.readHdr();
+    auto const apart = [](assets::FloatImage const& a, assets::FloatImage const& b) {
+        double difference = 0.0, sum = 0.0;
+        for (std::size_t i = 0; i < a.values.size(); ++i) {
+            if (i % 4 == 3) continue;
+            difference += static_cast<double>(std::abs(a.values[i] - b.values[i]));
+            sum += static_cast<double>(a.values[i]);
+        }
+        return difference / sum;
+    };
+    fmt::print("apart {:.4f}, places {:.4f}\n", apart(still, found), apart(still, before));
+    EXPECT_GT(apart(still, before), 0.05);  // another place
+    EXPECT_LT(apart(still, found), 0.01);
+}
 }  // namespace
 }  // namespace luftpost::test
