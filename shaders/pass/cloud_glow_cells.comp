@@ -10,8 +10,9 @@ uniform int anew;  // 1: nothing is known
 void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
     vec3 toward = keyLight().toward;
-    vec3 way = toward * (glowStep() / max(toward.y, kLowestLight));
-    float slope = glowStep() / length(way);
+    // The grids take a low light to stand at kLowestLight: its ways still go up.
+    float slope = max(toward.y, kLowestLight);
+    vec3 way = vec3(toward.x / slope, 1.0, toward.z / slope) * glowStep();
     for (int k = 0; k < kGlowSlices; ++k) {
         vec3 p = glowPlace(column, k);
         vec2 onPlane = onDepthPlane(p, toward);
