@@ -20,8 +20,7 @@ const int kGlowSide = 128;
 /// Share of the extinction that is left when turns are even.
 float reducedShare() { return 1.0 - clouds.light.x; }
 
-/// m from slice to slice, and between two columns.
-float glowStep() { return (clouds.depthHeights.y - clouds.depthHeights.x) / float(kGlowSlices); }
+/// m between two columns.
 float glowWidth() { return clouds.depthPlaces[0].w / float(kGlowSide); }
 
 /// The middle of a cell: of all places that its column stands for the one around the camera.

@@ -174,20 +174,25 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
     return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
 }
 
+/// m from slice to slice of the glow.
+float glowStep() { return (clouds.depthHeights.y - clouds.depthHeights.x) / float(kGlowSlices); }
+
+/// Where a place lies in the glow's textures.
+vec3 glowUnit(vec3 p) {
+    vec4 place = clouds.depthPlaces[0];
+    float slice = (p.y - clouds.depthHeights.x) / glowStep();
+    return vec3((p.xz + place.xy) * place.z, clamp(slice, 0.5, float(kGlowSlices) - 0.5) / float(kGlowSlices));
+}
+
 /// The glow (lib/cloud_glow.glsl) at a place: x: of the light's beam, per unit of irradiance, less kBeamKnown of what the beam brings there; y: of a
 /// sky of 1 above.
-vec2 glowAt(vec3 p) {
-    vec4 place = clouds.depthPlaces[0];
-    float height = (p.y - clouds.depthHeights.x) / (clouds.depthHeights.y - clouds.depthHeights.x);
-    return textureLod(cloudGlow, vec3((p.xz + place.xy) * place.z, clamp(height, 0.5 / float(kGlowSlices), 1.0 - 0.5 / float(kGlowSlices))), 0.0).rg;
-}
+vec2 glowAt(vec3 p) { return textureLod(cloudGlow, glowUnit(p), 0.0).rg; }
 
 /// How much of a place's light the glow knows: none beyond its columns, nor where clouds stand so high that slices are too thick for a base
 /// and what is above it.
 float glowKnown(vec3 p) {
-    float thick = (clouds.depthHeights.y - clouds.depthHeights.x) / float(kGlowSlices);
     float near = 1.0 - smoothstep(0.40, 0.46, max(abs(p.x), abs(p.z)) * clouds.depthPlaces[0].z);
-    return clouds.depthHeights.w * near * (1.0 - smoothstep(100.0, 200.0, thick));
+    return clouds.depthHeights.w * near * (1.0 - smoothstep(100.0, 200.0, glowStep()));
 }
 
 /// m of a way to the light between two slices of the grids: the lower the light, the longer.

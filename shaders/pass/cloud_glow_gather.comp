@@ -18,12 +18,6 @@ vec3 wayOf(int i) {
     return vec3(level * cos(azimuth), (i & 8) == 0 ? up : -up, level * sin(azimuth));
 }
 
-vec3 texelUnit(vec3 p) {
-    vec4 place = clouds.depthPlaces[0];
-    float height = (p.y - clouds.depthHeights.x) / (clouds.depthHeights.y - clouds.depthHeights.x);
-    return vec3((p.x + place.x) * place.z, (p.z + place.y) * place.z, clamp(height, 0.5 / float(kGlowSlices), 1.0 - 0.5 / float(kGlowSlices)));
-}
-
 /// sun and sky that come along a way into a place.
 vec2 comesAlong(vec3 p, vec3 way) {
     float stride = min(glowStep() / abs(way.y), 0.75 * glowWidth() / sqrt(1.0 - way.y * way.y));
@@ -35,7 +29,7 @@ vec2 comesAlong(vec3 p, vec3 way) {
     bool on = true;
     do {
         vec3 q = p + way * at;
-        vec4 cell = textureLod(glowCells, texelUnit(q), 0.0);
+        vec4 cell = textureLod(glowCells, glowUnit(q), 0.0);
         float met = cell.z * length;
         float kept = exp(-met);
         sum += exp(-depth) * (1.0 - kept) * vec2(cell.x + cell.w * kIsotropic, cell.y);
@@ -46,7 +40,7 @@ vec2 comesAlong(vec3 p, vec3 way) {
         float y = p.y + way.y * at;
         on = depth < kEnough && steps < kMostSteps && y > clouds.depthHeights.x && y < clouds.depthHeights.y;
     } while (on);
-    vec4 last = textureLod(glowCells, texelUnit(p + way * at), 0.0);
+    vec4 last = textureLod(glowCells, glowUnit(p + way * at), 0.0);
     bool left = depth < kEnough && steps < kMostSteps;
     vec2 beyond = left ? vec2(0.0, way.y > 0.0 ? 1.0 : 0.0) : last.xy;
     return sum + exp(-depth) * beyond;

@@ -13,6 +13,9 @@ const float kFreeWay = 400.0;  // m: a third of it is the most that light diffus
 /// What lets the flux through between two places `apart` m, of which each has its own k, over the width of a cell.
 float conductance(float k, float other, float apart) { return 1.0 / ((1.5 * (k + other) + 1.0 / kFreeWay) * apart * apart); }
 
+/// The same from the middle of the outermost cell, `high` m high, into a half-space from which nothing comes back (Marshak's condition).
+float outward(float k, float high) { return 1.0 / (((1.5 * k + 0.5 / kFreeWay) * high + 2.0) * high); }
+
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
     int x = 2 * at.x + ((at.y + colour) & 1);
@@ -21,8 +24,7 @@ void main() {
                                ivec2(x, at.y + 1) & (kGlowSide - 1), ivec2(x, at.y - 1) & (kGlowSide - 1));
     float high = glowStep(), wide = glowWidth();
     vec4 here = imageLoad(glowCells, ivec3(column, 0));
-    // From below nothing comes in; what goes out there meets the half-space's own resistance.
-    float below = 1.0 / ((1.5 * here.z + 0.5 / kFreeWay) * high + 2.0) / high, passed = 0.0;
+    float below = outward(here.z, high), passed = 0.0;
     vec2 enters = vec2(0.0);
     float share[kGlowSlices];
     vec2 rest[kGlowSlices];
@@ -31,7 +33,7 @@ void main() {
     for (int k = 0; k < kGlowSlices; ++k) {
         bool top = k == kGlowSlices - 1;
         vec4 next = imageLoad(glowCells, ivec3(column, min(k + 1, kGlowSlices - 1)));
-        float above = top ? 1.0 / ((1.5 * here.z + 0.5 / kFreeWay) * high + 2.0) / high : conductance(here.z, next.z, high);
+        float above = top ? outward(here.z, high) : conductance(here.z, next.z, high);
         float sum = below + above;
         float least = here.z, most = here.z;
         vec2 comes = vec2(here.z * here.w * kIsotropic, top ? above : 0.0);
