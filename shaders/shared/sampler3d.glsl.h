@@ -50,18 +50,25 @@ inline Texel between(Texel const& a, Texel const& b, float f) { return a * (1.0f
 inline vec4 channelsOf(Texel const& t) { return t; }
 #endif
 
-/// Eight texels of one level, weighted; values 0..255.
-inline vec4 volumeLinear(VolumeLevel const& level, vec3 const& unit) {
+/// The eight texels around a place, and how far it lies from the lowest to the highest of them, 0..1.
+struct Corners {
+    ivec3 low, high;
+    vec3 share;
+};
+inline Corners cornersAround(VolumeLevel const& level, vec3 const& unit) {
     vec3 const p = unit * vec3{level.size} - 0.5f;
     vec3 const corner = floor(p);
-    vec3 const f = p - corner;
-    int const x0 = static_cast<int>(corner.x) & (level.size.x - 1), x1 = (x0 + 1) & (level.size.x - 1);
-    int const y0 = static_cast<int>(corner.y) & (level.size.y - 1), y1 = (y0 + 1) & (level.size.y - 1);
-    int const z0 = static_cast<int>(corner.z) & (level.size.z - 1), z1 = (z0 + 1) & (level.size.z - 1);
+    ivec3 const low = ivec3{corner} & (level.size - 1);
+    return {low, (low + 1) & (level.size - 1), p - corner};
+}
+
+/// Eight texels of one level, weighted; values 0..255.
+inline vec4 volumeLinear(VolumeLevel const& level, vec3 const& unit) {
+    Corners const c = cornersAround(level, unit);
     auto const row = [&](int y, int z) {
-        return between(texelAt(volumeTexel(level, x0, y, z)), texelAt(volumeTexel(level, x1, y, z)), f.x);
+        return between(texelAt(volumeTexel(level, c.low.x, y, z)), texelAt(volumeTexel(level, c.high.x, y, z)), c.share.x);
     };
-    return channelsOf(between(between(row(y0, z0), row(y1, z0), f.y), between(row(y0, z1), row(y1, z1), f.y), f.z));
+    return channelsOf(between(between(row(c.low.y, c.low.z), row(c.high.y, c.low.z), c.share.y), between(row(c.low.y, c.high.z), row(c.high.y, c.high.z), c.share.y), c.share.z));
 }
 
 struct billowSampler {
@@ -71,18 +78,14 @@ struct billowSampler {
 
 /// Eight texels of one channel, weighted; 0..255.
 inline float billowLinear(VolumeLevel const& level, vec3 const& unit) {
-    vec3 const p = unit * vec3{level.size} - 0.5f;
-    vec3 const corner = floor(p);
-    vec3 const f = p - corner;
-    int const x0 = static_cast<int>(corner.x) & (level.size.x - 1), x1 = (x0 + 1) & (level.size.x - 1);
-    int const y0 = static_cast<int>(corner.y) & (level.size.y - 1), y1 = (y0 + 1) & (level.size.y - 1);
-    int const z0 = static_cast<int>(corner.z) & (level.size.z - 1), z1 = (z0 + 1) & (level.size.z - 1);
+    Corners const c = cornersAround(level, unit);
     auto const row = [&](int y, int z) {
         std::uint8_t const* const texels = level.texels + (z * level.size.y + y) * level.size.x;
-        return static_cast<float>(texels[x0]) * (1.0f - f.x) + static_cast<float>(texels[x1]) * f.x;
+        return static_cast<float>(texels[c.low.x]) * (1.0f - c.share.x) + static_cast<float>(texels[c.high.x]) * c.share.x;
     };
-    float const low = row(y0, z0) * (1.0f - f.y) + row(y1, z0) * f.y, high = row(y0, z1) * (1.0f - f.y) + row(y1, z1) * f.y;
-    return low * (1.0f - f.z) + high * f.z;
+    float const low = row(c.low.y, c.low.z) * (1.0f - c.share.y) + row(c.high.y, c.low.z) * c.share.y;
+    float const high = row(c.low.y, c.high.z) * (1.0f - c.share.y) + row(c.high.y, c.high.z) * c.share.y;
+    return low * (1.0f - c.share.z) + high * c.share.z;
 }
 
 struct planeSampler {
