@@ -16,7 +16,9 @@ CloudGlow::CloudGlow(gl::ProgramLibrary& programs)
       gatherProgram_{programs.compute("cloud_glow_gather")},
       cells_{gl::Format::rgba16f, kCells, 1, "cloud glow cells"},
       glow_{gl::Format::rg16f, kCells, 1, "cloud glow"},
-      sampler_{{.wrap = gl::Wrap::repeat}, "cloud glow"} {}
+      sampler_{{.wrap = gl::Wrap::repeat}, "cloud glow"} {
+    glow_.clear();  // read, though not taken, where it was never solved
+}
 
 void CloudGlow::spread(GridRows const& rows, int sweeps) {
     spreadProgram_.use();
@@ -29,13 +31,15 @@ void CloudGlow::spread(GridRows const& rows, int sweeps) {
     }
 }
 
-void CloudGlow::draw(GridRows const& rows) {
-    if (rows.count == 0) return;
+void CloudGlow::draw(GridRows const& rows, CloudScene const& scene) {
+    glm::vec4 const& heights = scene.block().depthHeights;
+    // A change of the heights asks for all rows anew: what was left out is not missed.
+    if (rows.count == 0 || heights.y - heights.x >= glsl::kGlowCoarse * static_cast<float>(kCells.z)) return;
     cellsProgram_.use();
     cellsProgram_.set("firstRow", rows.first);
     cellsProgram_.set("anew", rows.anew ? 1 : 0);
     cells_.bindImage(0, gl::Access::readWrite);
-    gl::dispatch({kCells.x / kGroup, rows.count / kGroup, 1});
+    gl::dispatch({kCells.x / kGroup, rows.count / kGroup, kCells.z});
     gl::barrier(gl::Barrier::image);
     spread(rows, rows.anew ? kSweeps : 1);
     gl::barrier(gl::Barrier::textureFetch);
@@ -44,7 +48,7 @@ void CloudGlow::draw(GridRows const& rows) {
     cells_.bind(kCellsUnit);
     sampler_.bind(kCellsUnit);
     glow_.bindImage(0, gl::Access::write);
-    gl::dispatch({kCells.x / kGroup, rows.count / kGroup, 1});
+    gl::dispatch({kCells.x / kGroup, rows.count / kGroup, kCells.z});
     gl::barrier(gl::Barrier::textureFetch);
     gl::Sampler::unbind(kCellsUnit);
 }

@@ -20,8 +20,8 @@ class CloudGlow {
 public:
     explicit CloudGlow(gl::ProgramLibrary& programs);
 
-    /// After the grids of optical depth are bound.
-    void draw(GridRows const& rows);
+    /// After the grids of optical depth are bound. Does nothing where clouds stand so high that nobody would ask for it.
+    void draw(GridRows const& rows, CloudScene const& scene);
     /// For the passes that read it.
     void bind() const;
     std::size_t bytes() const { return cells_.bytes() + glow_.bytes(); }

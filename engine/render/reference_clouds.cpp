@@ -178,7 +178,7 @@ std::vector<ReferenceClouds::Probe> ReferenceClouds::probesOf(Grid const& grid, 
                 glm::dvec3 const place{x, lowest_ + (i + middle) * slab, z};
                 glsl::CloudSample const here = sampleOf(layer, place);
                 float const full = columnAt(layer, place).water * shape_.layers[layer].look.w;
-                probes[static_cast<std::size_t>((line * (grid.size + 1) + column) * (kSlabs + 1) + i)] = {here.extinction, here.extinction > 0.0f ? here.depth / full : -here.outside};
+                probes[static_cast<std::size_t>((line * (grid.size + 1) + column) * (kSlabs + 1) + i)] = {here.extinction, here.extinction > 0.0f ? here.depth / full : -std::max(here.outside, 0.0f)};
             }
         }
     return probes;

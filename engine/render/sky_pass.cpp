@@ -8,7 +8,7 @@
 
 namespace luftpost::render {
 namespace {
-constexpr glm::ivec2 kTransmittanceSize{256, 64}, kMultipleSize{32, 32}, kViewSize{192, 108};
+constexpr glm::ivec2 kTransmittanceSize{256, 64}, kMultipleSize{32, 32}, kViewSize{192, 108}, kAroundSize{16, 2};
 constexpr glm::ivec3 kAerialSize{48, 48, 32};
 constexpr glm::ivec2 kGroup{8, 8};
 constexpr double kSunSteps = 3.0e-4;        // rad: what the sun moves in four seconds
@@ -29,9 +29,11 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
       multipleProgram_{programs.compute("sky_multiple")},
       viewProgram_{programs.compute("sky_view")},
       aerialProgram_{programs.compute("sky_aerial")},
+      aroundProgram_{programs.compute("sky_around")},
       transmittance_{gl::Format::rgba32f, kTransmittanceSize, 1, "sky transmittance"},
       multiple_{gl::Format::rgba32f, kMultipleSize, 1, "sky multiple scattering"},
       view_{gl::Format::rgba32f, kViewSize, 1, "sky view"},
+      around_{gl::Format::rgba16f, kAroundSize, 1, "sky around"},
       aerial_{gl::Format::rgba32f, kAerialSize, 1, "aerial radiance"},
       aerialThrough_{gl::Format::rgba16f, kAerialSize, 1, "aerial transmittance"},
       buffer_{sizeof(glsl::SkyBlock), "sky block"} {
@@ -97,7 +99,7 @@ void SkyPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     frame.moonDirection = block_.lights.moon;
     frame.moonIrradiance = glm::vec4{light_.moon, letThrough};
     frame.skyIrradiance = glm::vec4{light_.sky, 0.0f};
-    frame.groundIrradiance = glm::vec4{light_.ground, light_.facingUp};
+    frame.groundIrradiance = glm::vec4{light_.ground, 0.0f};
     frame.exposure.x = kHeadroom * light_.exposure;
     frame.exposure.w = std::exp2(snapshot.graphics.exposure_ev);
     frame.exposure.y = light_.exposure * frame.exposure.w;
@@ -121,6 +123,9 @@ void SkyPass::draw(FrameContext const& context) {
         viewProgram_.use();
         view_.bindImage(0, gl::Access::write);
         gl::dispatchOver(kViewSize, kGroup);
+        aroundProgram_.use();
+        around_.bindImage(0, gl::Access::write);
+        gl::dispatch({kAroundSize, 1});
         aerialProgram_.use();
         aerial_.bindImage(0, gl::Access::write);
         aerialThrough_.bindImage(1, gl::Access::write);
@@ -135,6 +140,7 @@ void SkyPass::bind() const {
     transmittance_.bind(static_cast<unsigned>(glsl::kSkyTransmittanceUnit));
     multiple_.bind(static_cast<unsigned>(glsl::kSkyMultipleUnit));
     view_.bind(static_cast<unsigned>(glsl::kSkyViewUnit));
+    around_.bind(static_cast<unsigned>(glsl::kSkyAroundUnit));
     aerial_.bind(static_cast<unsigned>(glsl::kSkyAerialUnit));
     aerialThrough_.bind(static_cast<unsigned>(glsl::kSkyAerialThroughUnit));
 }

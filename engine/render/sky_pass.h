@@ -22,10 +22,12 @@ public:
     void draw(FrameContext const& context);
 
     sky::SkyLight const& light() const { return light_; }
+    /// Table six (shaders/pass/sky_around.comp): what is above (first row) and below a cloud, by its altitude.
+    gl::Texture2D const& around() const { return around_; }
     bool starsShow() const { return block_.skyCamera.z > 0.0f; }
 
     /// GPU bytes of its tables.
-    std::size_t bytes() const { return transmittance_.bytes() + multiple_.bytes() + view_.bytes() + aerial_.bytes() + aerialThrough_.bytes(); }
+    std::size_t bytes() const { return transmittance_.bytes() + multiple_.bytes() + view_.bytes() + around_.bytes() + aerial_.bytes() + aerialThrough_.bytes(); }
 
 private:
     /// What the tables around the camera were made for.
@@ -44,7 +46,8 @@ private:
     gl::Program const& multipleProgram_;
     gl::Program const& viewProgram_;
     gl::Program const& aerialProgram_;
-    gl::Texture2D transmittance_, multiple_, view_;
+    gl::Program const& aroundProgram_;
+    gl::Texture2D transmittance_, multiple_, view_, around_;
     gl::Texture3D aerial_, aerialThrough_;
     gl::Buffer buffer_;
 

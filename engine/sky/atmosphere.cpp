@@ -114,14 +114,6 @@ glm::vec3 AtmosphereTables::skyIrradiance(double altitude, double elevation) con
     return sum * static_cast<float>(core::kPi / (kIrradianceRings * kIrradianceSectors));
 }
 
-double AtmosphereTables::facingUpShare(double altitude, double elevation) const {
-    glm::vec3 const land = direct(0.0, elevation, 0.00465) * static_cast<float>(std::max(std::sin(elevation), 0.0));
-    glm::vec3 const sphere = glsl::multipleScattering(multipleTable(), glm::vec2{glsl::kMultipleSize}, static_cast<float>(altitude), static_cast<float>(std::sin(elevation)));
-    float const upper = luminance(glsl::upperHalf(air_, sphere, land));
-    float const facing = luminance(skyIrradiance(altitude, elevation)) / static_cast<float>(core::kPi);
-    return upper > 0.0f ? static_cast<double>(std::clamp(facing / upper, 0.2f, 1.5f)) : 1.0;
-}
-
 glm::vec3 AtmosphereTables::transmittance(double altitude, double elevation, double distance) const {
     return glm::exp(-glsl::opticalDepth(air_, static_cast<float>(std::max(altitude, 0.0)),
                                         static_cast<float>(std::sin(elevation)), static_cast<float>(distance), kSteps));

@@ -46,9 +46,6 @@ public:
     glm::vec3 radiance(double altitude, glm::dvec3 const& direction, glm::dvec3 const& light) const;
     /// Irradiance of the sky alone on a horizontal plane, per unit irradiance of a light at `elevation` (rad).
     glm::vec3 skyIrradiance(double altitude, double elevation) const;
-    /// The same over pi, as a share of the mean radiance of the upper half of the sphere that table two knows: a plane that faces up sees little of
-    /// the bright air at the horizon, and table two counts what the air below sends up. Luminances.
-    double facingUpShare(double altitude, double elevation) const;
     /// Transmittance of the air over `distance` toward a direction of this elevation (rad).
     glm::vec3 transmittance(double altitude, double elevation, double distance) const;
 

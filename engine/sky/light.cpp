@@ -11,7 +11,6 @@ namespace {
 constexpr double kFullMoon_lx = 0.267;
 constexpr double kMeanMoonRadius = 0.004520;  // rad, at the mean distance
 constexpr float kCloudAlbedo = 0.6f;
-constexpr double kLowClouds = 1500.0;  // m above sea level
 
 /// Direct irradiance on a horizontal plane.
 glm::vec3 onThePlane(glm::vec3 const& facing, glm::dvec3 const& direction) {
@@ -63,7 +62,6 @@ SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double 
     glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
     light.groundRadiance = total * landAlbedo(conditions) / static_cast<float>(core::kPi);
     light.ground = total * landAlbedo(conditions);
-    light.facingUp = static_cast<float>(tables.facingUpShare(kLowClouds, std::sin(sunUp) > static_cast<double>(glsl::kSunGivesWay) ? sunUp : moonUp));
     light.exposure = exposureFor(meanLuminance(light, state, conditions.cover));
     return light;
 }

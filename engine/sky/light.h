@@ -19,7 +19,6 @@ struct SkyLight {
     glm::vec3 sky{0.0f};          // the same under the clouds above: greyer, and dimmer or brighter
     glm::vec3 ground{0.0f};       // from below on a horizontal plane: land and clouds below in sun and sky
     glm::vec3 groundRadiance{0.0f};  // of the land in the mean, 1/(sr), for the sky's lower half
-    float facingUp = 1.0f;        // AtmosphereTables::facingUpShare at the height of low clouds, of the light that clouds are lit by
     float exposure = 1.0f;        // from radiance to the tone curve, before the picture is measured; no jump from noon to night
 };
 

@@ -259,12 +259,6 @@ GLSL_FUNCTION vec3 multipleScattering(sampler2D table, vec2 size, float h, float
     return vec3(textureLod(table, multipleCoordinate(size, clamp(h, 0.0f, kAirTop), muLight), 0.0f));
 }
 
-// Mean radiance of the upper half of the sphere: twice that of all of it (`sphere`, table two) less what the table has of the
-// land below, on which the irradiance `onLand` falls.
-GLSL_FUNCTION vec3 upperHalf(Atmosphere air, vec3 sphere, vec3 onLand) {
-    return max(2.0f * sphere - onLand * kLandColour * (air.ground.w / kAirPi), 0.4f * sphere);
-}
-
 GLSL_CONST float kMultipleSize = 32.0f;
 
 // ------------------------------------------------------------------------------------------- light along a ray
@@ -434,6 +428,18 @@ GLSL_FUNCTION float shadeCoordinate(float slices, float distance) {
     return (sqrt(clamp(distance / kShadeReach, 0.0f, 1.0f)) * (slices - 2.0f) + 0.5f) / slices;
 }
 GLSL_FUNCTION float shadeOfSky(float slices) { return (slices - 0.5f) / slices; }
+
+// Table six: what is above and below a cloud, by its altitude.
+GLSL_CONST float kAroundHighest = 16000.0f;  // m
+
+/// Altitude of column i of the table's n, whose square root is spaced evenly, and back, as a texture coordinate.
+GLSL_FUNCTION float aroundAltitude(float i, float n) {
+    float share = i / (n - 1.0f);
+    return kAroundHighest * share * share;
+}
+GLSL_FUNCTION float aroundCoordinate(float h, float n) {
+    return (sqrt(clamp(h / kAroundHighest, 0.0f, 1.0f)) * (n - 1.0f) + 0.5f) / n;
+}
 
 GLSL_END
 #endif

@@ -38,7 +38,7 @@ GLSL_CONST float kCurlPeriod = 2048.0f;   // m, at scale 1: curl, fray
 GLSL_CONST float kShapePeriod = 4096.0f;  // m
 GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
-// What is found at a point: extinction in 1/m; where there is none, about how far the nearest face is, m; and what the
+// What is found at a point: extinction in 1/m; about how far outside the nearest face it lies, m, below 0 inside; and what the
 // light asks for, as optical depths: how deep it lies below the nearest face, how wide the cloud around it is in the
 // plane, and how much of it stands above and below.
 struct CloudSample {
@@ -253,7 +253,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, billow
     if (!left && lod < kCoarseLod && inside < ripple + soft) eat = fineCarve(q, s, plane, above / thickness, detail, lod);
     inside = roundedMin(belowTop - carve - ripple * eat, aboveBase - baseShare * (carve + ripple * eat), shoulder);
 
-    if (!left) result.outside = max(-inside, 0.0f);
+    if (!left) result.outside = -inside;
     float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
     if (left || edge <= 0.0f) return result;
     float full = c.water * s.look.w;
@@ -261,7 +261,7 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, billow
     float softFace = max(kSoftFace * soft, 1e-3f);
     result.depth = full * softDepth(inside, softFace + kSoftFace * blur);
     // What leaves through its sides its neighbours catch: the more, the more of the sky they cover.
-    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x * pow(max(1.0f - towers.cover, 0.02f), -0.14f);
+    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x / sqrt(sqrt(sqrt(max(1.0f - towers.cover, 0.02f))));
     float crease = 0.196f * carve + 0.508f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * softDepth(max(e.high - above - carve, 0.0f), softFace) + crease);
     result.below = full * (0.8f * softDepth(max(above - e.low, 0.0f), softFace) + crease);
@@ -354,7 +354,7 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, billo
     float edge = clamp((inside + reaches) / (soft + blur), 0.0f, 1.0f);
     float strand = clamp(1.0f + 0.9f * streaks, 0.0f, 1.7f);
     float ice = c.water * s.look.w * kAnvilIce * near * near * mix(strand, 1.0f, near);
-    result.outside = max(-inside, 0.0f);
+    result.outside = -inside;
     inside = max(inside, 0.0f);
     result.depth = ice * inside;
     result.wide = ice * 2.0f * max(margin, 0.0f) * s.body.x;

@@ -8,7 +8,7 @@
 //   - Scattered forward, again and again: a lobe about the light's way that widens with the depth. It makes thin layers bright on
 //     their far side: half of what one sees of altocumulus under the sun.
 //   - Scattered a few times: nearly even, through a cloud that looks thinner the less the turns count: an octave after
-//     Wrenninge (2013).
+//     Wrenninge (2013). The glow holds them too.
 //   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
 //     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
 //     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
@@ -50,7 +50,7 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
 GLSL_CONST float kForward = 1.74f;
-GLSL_CONST float kForwardTurns = 0.40f; // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kForwardTurns = 0.495f; // per optical depth, beyond the two of the first; each widens the lobe by g
 GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
 GLSL_CONST float kFewFade = 0.248f;
@@ -66,21 +66,19 @@ GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
 
 // With the glow in place of the last of them:
-GLSL_CONST float kNearForward = 1.72f;
-GLSL_CONST float kNearFew = 0.40f;
-GLSL_CONST float kNearFewLobe = -0.30f;
-GLSL_CONST float kNearFewFade = 0.987f;
-GLSL_CONST float kGlow = 1.57f;
-GLSL_CONST float kGlowLeak = 0.15f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
-GLSL_CONST float kBeamKnown = 0.646f;  // what the glow's grid knows of the beam is taken out,
-GLSL_CONST float kBeamFade = 0.70f;    // and what the sample knows of it put in
-GLSL_CONST float kGlowAhead = 1.50f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
-GLSL_CONST float kSkyAhead = 2.44f;
-GLSL_CONST float kGlowAbove = 2.00f;
-GLSL_CONST float kGlowBelow = 0.38f;
+GLSL_CONST float kNearForward = 1.8f;
+GLSL_CONST float kGlow = 1.775f;
+GLSL_CONST float kGlowFade = 0.058f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
+GLSL_CONST float kGlowLeak = 0.155f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
+GLSL_CONST float kBeamKnown = 0.505f;  // what the glow's grid knows of the beam is taken out,
+GLSL_CONST float kBeamFade = 1.27f;    // and what the sample knows of it put in
+GLSL_CONST float kGlowAhead = 2.17f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
+GLSL_CONST float kSkyAhead = 1.35f;
+GLSL_CONST float kGlowAbove = 1.66f;
+GLSL_CONST float kGlowBelow = 0.562f;
 
-GLSL_CONST float kFromAbove = 1.66f;
-GLSL_CONST float kFromBelow = 0.95f;
+GLSL_CONST float kFromAbove = 1.774f;
+GLSL_CONST float kFromBelow = 1.257f;
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
@@ -110,17 +108,17 @@ GLSL_FUNCTION float litByGlow(float cosine, float g, float toLight, float glow) 
     float beam = exp(-toLight), met = 1.0f - beam;
     float once = cloudPhase(cosine, g) * beam;
     float forward = kNearForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
-    float few = kNearFew * met * henyeyGreenstein(cosine, kNearFewLobe) * exp(-kNearFewFade * s * toLight);
-    float many = kGlow * max(glow + kBeamKnown * kIsotropic * exp(-kBeamFade * s * toLight), 0.0f);
-    return once + forward + few + many;
+    float many = kGlow / (1.0f + kGlowFade * s * toLight) * max(glow + kBeamKnown * kIsotropic * exp(-kBeamFade * s * toLight), 0.0f);
+    return once + forward + many;
 }
 
-// Of diffuse light, the same: `sky` is the glow of a sky of 1.
+// Of diffuse light, the same: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere, as a level plane
+// weighs them; `sky` is the glow of a sky of 1.
 GLSL_FUNCTION vec3 litBySkyGlow(vec3 fromAbove, vec3 fromBelow, float sky) {
     return kGlowAbove * sky * fromAbove + kGlowBelow * (1.0f - sky) * fromBelow;
 }
 
-// The same of diffuse light: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere.
+// The same beyond the glow.
 GLSL_FUNCTION vec3 litByDiffuse(vec3 fromAbove, vec3 fromBelow, float above, float below, float g) {
     float s = 1.0f - meanCosine(g);
     return 0.25f * (kFromAbove * fromAbove * meanInside(above, below, s) + kFromBelow * fromBelow * meanInside(below, above, s));

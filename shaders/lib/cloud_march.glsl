@@ -56,23 +56,12 @@ vec3 inFlatFrame(vec3 toward, vec3 direction, vec3 flatPlace) {
     return normalize(vec3(toward.xz - ahead * toward.y * arc, up).xzy);
 }
 
-/// Light of the upper and the lower half of the sphere at altitude `y`, mean radiances.
-void diffuseAt(float y, float mu, vec3 above, out vec3 fromAbove, out vec3 fromBelow) {
-    vec2 size = vec2(textureSize(skyMultipleTable, 0));
-    vec3 mean = multipleScattering(skyMultipleTable, size, y, mu) * above;
-    fromBelow = frame.groundIrradiance.rgb / 3.14159265;
-    vec2 table = vec2(textureSize(skyTransmittanceTable, 0));
-    vec3 onLand = above * lightThroughAir(skyTransmittanceTable, table, 0.0, mu, 0.00465) * max(mu, 0.0);
-    fromAbove = frame.groundIrradiance.w * upperHalf(sky.air, mean, onLand) + 0.5 * sky.airglow.rgb;
-}
-
 /// Light that falls on a place, clouds left out. It changes slowly: a ray asks anew every few kilometres.
 struct LightThere {
     float asked;  // m along the ray
     vec3 toward;  // in the flat frame
     vec3 beam;    // irradiance
-    vec3 fromAbove;
-    vec3 fromBelow;
+    Around around;
 };
 
 LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
@@ -81,7 +70,7 @@ LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
     there.toward = inFlatFrame(key.toward, direction, p);
     vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
     there.beam = key.above * lightThroughAir(skyTransmittanceTable, size, p.y, there.toward.y, key.radius);
-    diffuseAt(p.y, there.toward.y, key.above, there.fromAbove, there.fromBelow);
+    there.around = aroundAt(p.y);
     return there;
 }
 
@@ -99,8 +88,8 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float c
     float up = abs(toward.y), height = here.above + here.below;
     float far = litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
     float near = litByGlow(cosine, clouds.light.x, toLight, sun) * (1.0 - clouds.light.y * exp(-2.0 * here.depth));
-    vec3 diffuseFar = litByDiffuse(there.fromAbove, there.fromBelow, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
-    vec3 diffuseNear = litBySkyGlow(there.fromAbove, there.fromBelow, sky * diffused(0.5 * overhead.sheets, 1.0 - clouds.light.x));
+    vec3 diffuseFar = litByDiffuse(there.around.above, there.around.below, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
+    vec3 diffuseNear = litBySkyGlow(there.around.above, there.around.below, sky * diffused(0.5 * overhead.sheets, 1.0 - clouds.light.x));
     return there.beam * mix(far, near, known) + mix(diffuseFar, diffuseNear, known);
 }
 
@@ -128,7 +117,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight ke
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = share * straight / slope;
     vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 1.0e3, 0.0) +
-                 litByDiffuse(there.fromAbove, there.fromBelow, 0.0, 0.0, clouds.light.x);
+                 litByDiffuse(there.around.above, there.around.below, 0.0, 0.0, clouds.light.x);
     MarchResult result;
     result.through = exp(-depth);
     result.light = light * (1.0 - result.through);
@@ -189,9 +178,10 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
 }
 
 const float kSearch = 1.5;        // full steps that look for a face, as a share of the longest: at most,
-const float kShortSearch = 0.4;   // and at least
-const float kOpaque = 0.025;      // transmittance that counts as none
+const float kShortSearch = 0.6;   // and at least
+const float kOpaque = 0.05;       // transmittance that counts as none
 const int kEmptySteps = 16;       // of these until they are cheap again
+const float kUnknownGap = 30.0;   // m, from a place outside to the face, where the way there was not asked for
 
 float longestStep(float t) { return clouds.step.x + clouds.step.y * t; }
 float lodAt(float t, float length) {
@@ -212,8 +202,8 @@ struct Walk {
 };
 
 // The loops stand one after the other, each with little in it: rays that are through with one wait for the rest, and then all do
-// the next together. What was found between two steps is narrowed down in the same loop, by halves: there is one place where it asks.
-const int kHalves = 3;
+// the next together. What was found between two steps is narrowed down in the same loop: there is one place where it asks.
+const int kHalves = 3;  // of an outline, which only says yes or no
 
 /// In cheap steps on to where there may be cloud, to the last place found outside; false when the stretch between two faces ends before.
 /// Neighbouring rays so begin their full steps side by side, and meet or miss the same thin turret.
@@ -268,25 +258,31 @@ bool nextOutline(vec3 direction, float h, float end, inout Walk walk) {
     return found;
 }
 
-/// In full steps on to a cloud's face, so that neighbouring rays find the same one; false when there is none for some of them.
+/// Where a face lies between a place `gap` m outside it and one `deep` m within, as a share of the way from the first to the second.
+float faceBetween(float gap, float deep) { return clamp(gap / max(gap + deep, 1e-3), 0.0, 1.0); }
+
+/// In full steps on to a cloud's face, so that neighbouring rays find the same one; false when there is none for some of them. What
+/// is found between two steps is asked for once more where it should be, and then drawn in (regula falsi).
 bool findFace(vec3 direction, float h, inout Walk walk) {
-    int empty = 0, halves = kHalves;
-    bool found = false;
+    int empty = 0;
+    bool found = false, near = false;
     float lod = 0.0, outside = walk.t, at = walk.t;
+    float gap = kUnknownGap, deep = 0.0;
     bool on = walk.t < walk.end && walk.left > 0;
     if (on) do {
         lod = found ? lod : lodAt(walk.t, walk.stride);
         CloudSample here = cloudOf(walk.layers, placeAt(direction, at, h), lod);
         bool cloud = here.extinction > 0.0;
-        if (found) {
-            --halves;
-            walk.t = cloud ? at : walk.t;
-            outside = cloud ? outside : at;
-        } else if (cloud) {
-            found = true;
-            halves = walk.stride > 0.0 ? kHalves : 0;  // with no stride the ray stands where it was
-            outside = walk.t - walk.stride;
+        near = found;
+        if (cloud) {
+            outside = found ? outside : walk.t - walk.stride;
+            walk.t = at;
+            deep = -here.outside;
         } else {
+            outside = at;
+            gap = here.outside;
+        }
+        if (!cloud && !found) {
             // On to the face, whose distance is known to first order: short steps where a turret may be missed.
             float longest = longestStep(walk.t);
             float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
@@ -295,14 +291,16 @@ bool findFace(vec3 direction, float h, inout Walk walk) {
             walk.t += walk.stride;
             ++empty;
         }
-        at = found ? 0.5 * (outside + walk.t) : walk.t;
-        on = found ? halves > 0 : empty < kEmptySteps && walk.t < walk.end && walk.left > 0;
+        found = found || cloud;
+        at = found ? mix(outside, walk.t, clamp(faceBetween(gap, deep), 0.15, 0.85)) : walk.t;
+        on = found ? !near && walk.stride > 0.0 : empty < kEmptySteps && walk.t < walk.end && walk.left > 0;
     } while (on);
     if (!found) {
         walk.stride = 0.0;  // all behind is known: nowhere to go back to
         walk.t = min(walk.t, walk.end);
         return false;
     }
+    if (near) walk.t = mix(outside, walk.t, faceBetween(gap, deep));
     return true;
 }
 
@@ -331,7 +329,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         float kept = exp(-here.extinction * length);
         float weight = sum.ray.through * (1.0 - kept);
         // What little still reaches the eye needs no near billows on its way to the light.
-        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 18.0, 240.0);
+        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 25.0, 240.0);
         if (inside) sum.ray.light += weight * lightAt(p, there, here, direction, cosine, lodAt(walk.t, length), first);
         sum.ray.distance += weight * middle;
         sum.weights += weight;
@@ -339,7 +337,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         walk.t += length;
         walk.stride = length;
         shortest = max(10.0, 0.0015 * walk.t);
-        float depth = mix(1.8, 0.8, sum.ray.through);  // what little still reaches the eye needs no fine steps
+        float depth = mix(2.4, 1.0, sum.ray.through);  // what little still reaches the eye needs no fine steps
         length = min(min(length * 1.5, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
         on = inside && sum.ray.through > kOpaque && walk.t < far && walk.left > 0;
     } while (on);
@@ -351,15 +349,14 @@ MarchResult marchBodies(vec3 direction, float end, KeyLight key) {
     float h = frame.cameraWorld.y;
     Gathered sum = Gathered(MarchResult(vec3(0.0), 1.0, 0.0), 0.0);
     Walk walk = Walk(0.0, 0.0, 0.0, 0, 3 * clouds.march.y);
-    bool more = nextOutline(direction, h, end, walk);
-    if (more) do {
-        bool face;
-        do {
-            face = findFace(direction, h, walk);
-            if (face) passCloud(direction, h, key, walk, sum);
-        } while (face && sum.ray.through > kOpaque);
-        more = sum.ray.through > kOpaque && nextOutline(direction, h, end, walk);
-    } while (more);
+    bool face = false;
+    bool on = walk.t < end && walk.left > 0;
+    if (on) do {
+        bool outline = face || nextOutline(direction, h, end, walk);
+        face = outline && findFace(direction, h, walk);
+        if (face) passCloud(direction, h, key, walk, sum);
+        on = sum.ray.through > kOpaque && walk.t < end && walk.left > 0;
+    } while (on);
     MarchResult ray = sum.ray;
     ray.distance = sum.weights > 1e-5 ? ray.distance / sum.weights : min(end, clouds.step.z);
     if (ray.through <= kOpaque) {

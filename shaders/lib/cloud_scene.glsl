@@ -192,7 +192,7 @@ vec2 glowAt(vec3 p) { return textureLod(cloudGlow, glowUnit(p), 0.0).rg; }
 /// and what is above it.
 float glowKnown(vec3 p) {
     float near = 1.0 - smoothstep(0.40, 0.46, max(abs(p.x), abs(p.z)) * clouds.depthPlaces[0].z);
-    return clouds.depthHeights.w * near * (1.0 - smoothstep(100.0, 200.0, glowStep()));
+    return clouds.depthHeights.w * near * (1.0 - smoothstep(kGlowFine, kGlowCoarse, glowStep()));
 }
 
 /// m of a way to the light between two slices of the grids: the lower the light, the longer.
@@ -200,7 +200,7 @@ float sliceWay(vec3 toward) {
     return (clouds.depthHeights.y - clouds.depthHeights.x) / ((float(kDepthSlices) - 1.0) * max(toward.y, kLowestLight));
 }
 
-const float kNearWay = 100.0;  // m: so far at least the way to the light is sampled, beyond it the grid knows
+const float kNearWay = 200.0;  // m: so far at least the way to the light is sampled, beyond it the grid knows
 
 /// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
 /// holds; beyond the grids samples all the way. The nearest sees the billows, as blurred as its stretch is long; the others see
@@ -224,7 +224,7 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
         sum += cloudAt(p + toward * at + sideways, i > 0 ? kCoarseLod : max(blur, lod)).extinction * stretch;
         start += stretch;
-        stretch *= i < 3 ? 1.9 : 3.0;
+        stretch *= 3.0;
         ++i;
     } while (i < 6 && start < leaves && sum < kDeepest);
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);

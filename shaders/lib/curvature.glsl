@@ -21,11 +21,9 @@ GLSL_FUNCTION float arcVersine(float a) {
     float s = a * a;
     return 0.5f * s * (1.0f - s / 12.0f * (1.0f - s / 30.0f * (1.0f - s / 56.0f * (1.0f - s / 90.0f))));
 }
-// The arc whose tangent is t >= 0: the series where it is exact in float.
-GLSL_FUNCTION float arcOfTangent(float t) {
-    float s = t * t;
-    float series = t * (1.0f - s * (1.0f / 3.0f - s * (1.0f / 5.0f - s * (1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f)))));
-    return t < 0.2f ? series : atan(t);
+// An arc over the tangent of its half, whose square is s: a series, to 1e-9 of itself below 0.5 rad.
+GLSL_FUNCTION float arcOverHalfTangent(float s) {
+    return 2.0f * (1.0f - s * (1.0f / 3.0f - s * (1.0f / 5.0f - s * (1.0f / 7.0f - s * (1.0f / 9.0f - s / 11.0f)))));
 }
 
 /// Where a point of the flat world is drawn, relative to the camera at `cameraAltitude` above sea level. Good to 3000 km.
@@ -42,11 +40,11 @@ GLSL_FUNCTION vec3 curvedFromFlat(vec3 flatPosition, float cameraAltitude) {
 GLSL_FUNCTION vec3 flatFromCurved(vec3 curvedPosition, float cameraAltitude) {
     float cameraRadius = kCurvatureRadius + cameraAltitude;
     float across2 = curvedPosition.x * curvedPosition.x + curvedPosition.z * curvedPosition.z;
-    float across = sqrt(across2);
     float up = cameraRadius + curvedPosition.y;
     float radius = sqrt(across2 + up * up);
     float height = (across2 + curvedPosition.y * (curvedPosition.y + 2.0f * cameraRadius)) / (radius + cameraRadius);
-    float shrink = across > 0.0f ? kCurvatureRadius * arcOfTangent(across / up) / across : 1.0f;
+    float both = 1.0f / (radius + up);  // times the way across: the tangent of half the arc
+    float shrink = kCurvatureRadius * both * arcOverHalfTangent(across2 * both * both);
     return vec3(curvedPosition.x * shrink, height, curvedPosition.z * shrink);
 }
 

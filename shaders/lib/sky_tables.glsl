@@ -12,6 +12,18 @@ layout(binding = 22) uniform sampler2D skyViewTable;
 layout(binding = 23) uniform sampler3D skyAerialTable;
 layout(binding = 24) uniform sampler3D skyAerialThroughTable;
 layout(binding = 25) uniform sampler3D skyShadeTable;  // made by AirShade
+layout(binding = 19) uniform sampler2D skyAroundTable;
+
+/// What a cloud at an altitude has around it, no other in the way: mean radiances of the half of the sphere above it and of the one below,
+/// as a level plane weighs them.
+struct Around {
+    vec3 above;
+    vec3 below;
+};
+Around aroundAt(float h) {
+    float x = aroundCoordinate(h, float(textureSize(skyAroundTable, 0).x));
+    return Around(textureLod(skyAroundTable, vec2(x, 0.25), 0.0).rgb, textureLod(skyAroundTable, vec2(x, 0.75), 0.0).rgb);
+}
 
 /// The light that clouds are lit by: the sun, or the moon once the sun gives less.
 struct KeyLight {

@@ -5,7 +5,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, r16f) uniform writeonly image3D depthGrid;
 uniform int firstRow;
 
-const float kLods[2] = float[2](3.0, 4.5);  // of the inner and the outer grid: as wide as their texels
+const float kLods[2] = float[2](2.0, 4.5);  // of the inner and the outer grid: less wide than their texels, else shadows would be soft
 
 const float kLongestStep = 250.0;             // m along the way of a low light
 const int kMostSteps = 4;                     // between two slices

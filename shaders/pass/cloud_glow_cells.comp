@@ -8,24 +8,22 @@ uniform int firstRow;
 uniform int anew;  // 1: nothing is known
 
 void main() {
-    ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
+    ivec3 at = ivec3(gl_GlobalInvocationID) + ivec3(0, firstRow, 0);
     vec3 toward = keyLight().toward;
     // The grids take a low light to stand at kLowestLight: its ways still go up.
     float slope = max(toward.y, kLowestLight);
     vec3 way = vec3(toward.x / slope, 1.0, toward.z / slope) * glowStep();
-    for (int k = 0; k < kGlowSlices; ++k) {
-        vec3 p = glowPlace(column, k);
-        vec2 onPlane = onDepthPlane(p, toward);
-        int grid = gridOver(onPlane);
-        float low = 0.0, high = 0.0;
-        if (grid < 2) {
-            low = griddedDepth(grid, p - 0.5 * way, onPlane);
-            high = griddedDepth(grid, p + 0.5 * way, onPlane);
-        }
-        float share = reducedShare();
-        float met = share * max(low - high, 0.0);
-        float beam = exp(-share * high) * (met > 1e-3 ? (1.0 - exp(-met)) / met : 1.0 - 0.5 * met);
-        vec2 known = anew > 0 ? vec2(0.0, 0.5) : imageLoad(glowCells, ivec3(column, k)).xy;
-        imageStore(glowCells, ivec3(column, k), vec4(known, met / glowStep() * slope, beam));
+    vec3 p = glowPlace(at.xy, at.z);
+    vec2 onPlane = onDepthPlane(p, toward);
+    int grid = gridOver(onPlane);
+    float low = 0.0, high = 0.0;
+    if (grid < 2) {
+        low = griddedDepth(grid, p - 0.5 * way, onPlane);
+        high = griddedDepth(grid, p + 0.5 * way, onPlane);
     }
+    float share = reducedShare();
+    float met = share * max(low - high, 0.0);
+    float beam = exp(-share * high) * (met > 1e-3 ? (1.0 - exp(-met)) / met : 1.0 - 0.5 * met);
+    vec2 known = anew > 0 ? vec2(0.0, 0.5) : imageLoad(glowCells, at).xy;
+    imageStore(glowCells, at, vec4(known, met / glowStep() * slope, beam));
 }

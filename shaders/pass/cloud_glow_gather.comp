@@ -47,26 +47,23 @@ vec2 comesAlong(vec3 p, vec3 way) {
 }
 
 void main() {
-    ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
-    for (int k = 0; k < kGlowSlices; ++k) {
-        vec3 p = glowPlace(column, k);
-        vec4 cell = texelFetch(glowCells, ivec3(column, k), 0);
-        float near = 0.0;  // k around: where there is none, diffusion will do
-        for (int side = 0; side < 6; ++side) {
-            ivec3 step = ivec3(side == 0 ? 1 : side == 1 ? -1 : 0, side == 2 ? 1 : side == 3 ? -1 : 0, side == 4 ? 1 : side == 5 ? -1 : 0);
-            ivec3 there = ivec3(column, k) + step;
-            there = ivec3(there.xy & (kGlowSide - 1), clamp(there.z, 0, kGlowSlices - 1));
-            near = max(near, texelFetch(glowCells, there, 0).z);
-        }
-        vec2 found = cell.xy;
-        int way = max(near, cell.z) > 1e-5 ? 0 : kWays;
-        if (way < kWays) {
-            found = vec2(0.0);
-            do {
-                found += comesAlong(p, wayOf(way)) * (1.0 / float(kWays));
-                ++way;
-            } while (way < kWays);
-        }
-        imageStore(glow, ivec3(column, k), vec4(found.x - kBeamKnown * kIsotropic * cell.w, found.y, 0.0, 0.0));
+    ivec3 at = ivec3(gl_GlobalInvocationID) + ivec3(0, firstRow, 0);
+    vec3 p = glowPlace(at.xy, at.z);
+    vec4 cell = texelFetch(glowCells, at, 0);
+    float near = 0.0;  // k around: where there is none, diffusion will do
+    for (int side = 0; side < 6; ++side) {
+        ivec3 there = at + ivec3(side == 0 ? 1 : side == 1 ? -1 : 0, side == 2 ? 1 : side == 3 ? -1 : 0, side == 4 ? 1 : side == 5 ? -1 : 0);
+        there = ivec3(there.xy & (kGlowSide - 1), clamp(there.z, 0, kGlowSlices - 1));
+        near = max(near, texelFetch(glowCells, there, 0).z);
     }
+    vec2 found = cell.xy;
+    int way = max(near, cell.z) > 1e-5 ? 0 : kWays;
+    if (way < kWays) {
+        found = vec2(0.0);
+        do {
+            found += comesAlong(p, wayOf(way)) * (1.0 / float(kWays));
+            ++way;
+        } while (way < kWays);
+    }
+    imageStore(glow, at, vec4(found.x - kBeamKnown * kIsotropic * cell.w, found.y, 0.0, 0.0));
 }

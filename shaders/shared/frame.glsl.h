@@ -37,7 +37,7 @@ UNIFORM_BLOCK(FrameBlock, 0) {
     vec4 moonDirection;          // as the sun's
     vec4 moonIrradiance;         // as the sun's
     vec4 skyIrradiance;          // rgb: of the whole sky on a horizontal plane
-    vec4 groundIrradiance;       // rgb: from below, on a plane that faces down; w: SkyLight::facingUp
+    vec4 groundIrradiance;       // rgb: from below, on a plane that faces down
 
     vec4 wind;                   // xyz: 10 m above the ground, mean, m/s, where the air goes to; w: gust, m/s
     vec4 weather;                // x: visibility, m; y: precipitation, mm/h; z: share of it that is snow; w: wetness of the ground 0..1

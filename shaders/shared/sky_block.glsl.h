@@ -6,13 +6,15 @@
 GLSL_BEGIN
 
 GLSL_CONST int kSkyBlockBinding = 9;
-// Texture units of the sky's tables: transmittance, multiple scattering, sky view, aerial radiance and transmittance, shade.
+// Texture units of the sky's tables: transmittance, multiple scattering, sky view, aerial radiance and transmittance, shade, what is
+// around a cloud.
 GLSL_CONST int kSkyTransmittanceUnit = 20;
 GLSL_CONST int kSkyMultipleUnit = 21;
 GLSL_CONST int kSkyViewUnit = 22;
 GLSL_CONST int kSkyAerialUnit = 23;
 GLSL_CONST int kSkyAerialThroughUnit = 24;
 GLSL_CONST int kSkyShadeUnit = 25;
+GLSL_CONST int kSkyAroundUnit = 19;
 
 UNIFORM_BLOCK(SkyBlock, 9) {
     Atmosphere air;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "engine/sky/atmosphere.h"
+#include "shaders/lib/atmosphere.glsl"
 #include "tests/gl/sky_fixture.h"
 
 namespace {
@@ -28,6 +29,28 @@ TEST_F(Sky, IsWhatTheSameLibraryComputesOnTheCpu) {
             glm::vec3 const cpu = tables.radiance(300.0, ahead, snapshot.sky.sunDirectionWorld);
             glm::vec3 const gpu = picture.at(32, 24);
             for (int i = 0; i < 3; ++i) EXPECT_NEAR(gpu[i] / cpu[i], 1.0f, 0.08f) << sun << " " << azimuth << " " << i;
+        }
+    }
+}
+
+// Table six, of what is above and below a cloud: the level plane's light, and under it land through the air.
+TEST_F(Sky, KnowsWhatIsAroundACloud) {
+    sky::AtmosphereTables const tables{sky::atmosphere({})};
+    for (double const sun : {60.0, 16.0, -3.0}) {
+        auto snapshot = skySnapshot(300.0, 0.0, 25.0, sun);
+        rig().draw(snapshot);
+        std::vector<float> const around = rig().skyPass().around().readFloats();
+        for (int const column : {0, 5, 8}) {
+            double const altitude = static_cast<double>(glsl::aroundAltitude(static_cast<float>(column), 16.0f));
+            glm::vec3 const level = tables.skyIrradiance(altitude, core::radians(sun)) / static_cast<float>(core::kPi);
+            glm::vec3 const air = tables.radiance(altitude, {0.0, -1.0, 0.0}, snapshot.sky.sunDirectionWorld);
+            glm::vec3 const down = air + rig().skyPass().light().groundRadiance * tables.transmittance(altitude, -0.5 * core::kPi, std::max(altitude, 1.0));
+            for (int i = 0; i < 3; ++i) {
+                float const above = around[static_cast<std::size_t>(4 * column + i)], below = around[static_cast<std::size_t>(4 * (16 + column) + i)];
+                EXPECT_NEAR(above / level[i], 1.0f, 0.05f) << sun << " " << altitude << " " << i;
+                EXPECT_GT(below / down[i], 0.97f) << sun << " " << altitude << " " << i << ": along the level there is more air";
+                EXPECT_LT(below / down[i], sun > 0.0 ? 2.0f : 20.0f) << sun << " " << altitude << " " << i;
+            }
         }
     }
 }

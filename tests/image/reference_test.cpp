@@ -58,18 +58,22 @@ assets::FloatImage drawn(Scene const& scene, std::string const& how, int rays) {
     return assets::readFloatImage(file);
 }
 
-/// Means over a block: luminance and alpha.
+/// Means over a block: luminance, alpha, and blue over red.
 struct Block {
-    double luminance = 0.0, alpha = 0.0;
+    double luminance = 0.0, alpha = 0.0, blueness = 0.0;
 };
 Block blockAt(assets::FloatImage const& image, int x, int y, int side) {
     Block sum;
+    double red = 0.0, blue = 0.0;
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             auto const at = [&](int channel) { return static_cast<double>(image.at(x + i, y + j, channel)) / (side * side); };
             sum.luminance += 0.2126 * at(0) + 0.7152 * at(1) + 0.0722 * at(2);
             sum.alpha += at(3);
+            red += at(0);
+            blue += at(2);
         }
+    sum.blueness = blue / std::max(red, 1e-9);
     return sum;
 }
 
@@ -82,6 +86,7 @@ double elevationAt(Scene const& scene, int x, int y, glm::dvec2 const& size) {
 
 struct Agreement {
     double mean = 0.0, bias = 0.0, worst = 0.0;  // of |ours / theirs - 1|: mean, and 95th percentile; of ours / theirs - 1
+    double colour = 0.0;                         // of blue over red, ours / theirs - 1, mean
     std::size_t blocks = 0;
 };
 /// The reference's land is bare and level; from the ground ours, with its trees, hides the lowest clouds.
@@ -96,7 +101,9 @@ Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::
             Block const reference = blockAt(theirs, x, y, kBlock);
             if (reference.alpha <= 0.5) continue;
             if (scene.eye.empty() && elevationAt(scene, x, y, {theirs.width, theirs.height}) < kLandHides) continue;
-            double const off = blockAt(ours, rays * x, rays * y, rays * kBlock).luminance / reference.luminance - 1.0;
+            Block const game = blockAt(ours, rays * x, rays * y, rays * kBlock);
+            double const off = game.luminance / reference.luminance - 1.0;
+            result.colour += game.blueness / reference.blueness - 1.0;
             errors.push_back(std::abs(off));
             result.bias += off;
             result.mean += std::abs(off);
@@ -104,11 +111,14 @@ Agreement agreement(Scene const& scene, assets::FloatImage const& ours, assets::
     result.blocks = errors.size();
     if (errors.empty()) return result;
     result.bias /= static_cast<double>(errors.size());
+    result.colour /= static_cast<double>(errors.size());
     result.mean /= static_cast<double>(errors.size());
     std::sort(errors.begin(), errors.end());
     result.worst = errors[errors.size() * 95 / 100];
     return result;
 }
+
+constexpr double kMostTint = 0.06;  // of blue over red, in the mean over a scene's clouds
 
 class ReferenceScene : public testing::TestWithParam<Scene> {};
 
@@ -117,11 +127,12 @@ TEST_P(ReferenceScene, IsDrawnAsBrightAsItIs) {
     auto const theirs = assets::readFloatImage(kFolder / (scene.name + ".exr"));
     ASSERT_EQ(theirs.width, 96);
     Agreement const a = agreement(scene, drawn(scene, "", kRays), theirs, kRays);
-    fmt::print("| {} | {} | {:.1f} % | {:+.1f} % | {:.1f} % |\n", scene.name, a.blocks, 100.0 * a.mean, 100.0 * a.bias, 100.0 * a.worst);
+    fmt::print("| {} | {} | {:.1f} % | {:+.1f} % | {:.1f} % | {:+.1f} % |\n", scene.name, a.blocks, 100.0 * a.mean, 100.0 * a.bias, 100.0 * a.worst, 100.0 * a.colour);
     ASSERT_GT(a.blocks, 60u);
     EXPECT_LT(a.mean, scene.mean);
     EXPECT_LT(std::abs(a.bias), scene.bias);
     EXPECT_LT(a.worst, scene.worst);
+    EXPECT_LT(std::abs(a.colour), kMostTint);
 }
 INSTANTIATE_TEST_SUITE_P(Of, ReferenceScene, testing::ValuesIn(scenes()), [](auto const& scene) { return scene.param.name; });
 
