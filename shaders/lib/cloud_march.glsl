@@ -177,9 +177,9 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
     return ray;
 }
 
-const float kSearch = 1.5;        // full steps that look for a face, as a share of the longest: at most,
+const float kSearch = 2.0;        // full steps that look for a face, as a share of the longest: at most,
 const float kShortSearch = 0.6;   // and at least
-const float kOpaque = 0.05;       // transmittance that counts as none
+const float kOpaque = 0.06;       // transmittance that counts as none
 const int kEmptySteps = 16;       // of these until they are cheap again
 const float kUnknownGap = 30.0;   // m, from a place outside to the face, where the way there was not asked for
 
@@ -224,7 +224,7 @@ bool findOutline(vec3 direction, float h, inout Walk walk) {
             inside = walk.t;
             outside = walk.t - walk.stride;
             if (!found) {
-                walk.stride = (walk.stride > 0.0 ? 2.0 : 1.5) * longestStep(walk.t);
+                walk.stride = (walk.stride > 0.0 ? 2.5 : 2.0) * longestStep(walk.t);
                 walk.t += walk.stride;
             }
         }
@@ -285,7 +285,7 @@ bool findFace(vec3 direction, float h, inout Walk walk) {
         if (!cloud && !found) {
             // On to the face, whose distance is known to first order: short steps where a turret may be missed.
             float longest = longestStep(walk.t);
-            float share = clamp(0.8 * here.outside / longest, kShortSearch, kSearch);
+            float share = clamp(0.9 * here.outside / longest, kShortSearch, kSearch);
             walk.left -= int(3.0 * share);  // charged by its length
             walk.stride = share * longest;
             walk.t += walk.stride;
@@ -337,7 +337,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         walk.t += length;
         walk.stride = length;
         shortest = max(10.0, 0.0015 * walk.t);
-        float depth = mix(2.4, 1.0, sum.ray.through);  // what little still reaches the eye needs no fine steps
+        float depth = mix(2.8, 1.2, sum.ray.through);  // what little still reaches the eye needs no fine steps
         length = min(min(length * 1.5, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
         on = inside && sum.ray.through > kOpaque && walk.t < far && walk.left > 0;
     } while (on);
