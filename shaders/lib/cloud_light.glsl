@@ -66,16 +66,16 @@ GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
 
 // With the glow in place of the last of them:
-GLSL_CONST float kNearForward = 1.8f;
-GLSL_CONST float kGlow = 1.775f;
-GLSL_CONST float kGlowFade = 0.058f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
+GLSL_CONST float kNearForward = 1.86f;
+GLSL_CONST float kGlow = 1.763f;
+GLSL_CONST float kGlowFade = 0.049f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
 GLSL_CONST float kGlowLeak = 0.155f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
-GLSL_CONST float kBeamKnown = 0.505f;  // what the glow's grid knows of the beam is taken out,
-GLSL_CONST float kBeamFade = 1.27f;    // and what the sample knows of it put in
-GLSL_CONST float kGlowAhead = 2.17f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
-GLSL_CONST float kSkyAhead = 1.35f;
-GLSL_CONST float kGlowAbove = 1.66f;
-GLSL_CONST float kGlowBelow = 0.562f;
+GLSL_CONST float kBeamKnown = 0.564f;  // what the glow's grid knows of the beam is taken out,
+GLSL_CONST float kBeamFade = 1.262f;    // and what the sample knows of it put in
+GLSL_CONST float kGlowAhead = 2.19f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
+GLSL_CONST float kSkyAhead = 1.887f;
+GLSL_CONST float kGlowAbove = 1.779f;
+GLSL_CONST float kGlowBelow = 0.535f;
 
 GLSL_CONST float kFromAbove = 1.774f;
 GLSL_CONST float kFromBelow = 1.257f;

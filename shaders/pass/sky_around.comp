@@ -13,10 +13,13 @@ void main() {
     // Rings of equal share of a level plane's light: the square of the elevation's sine is uniform.
     float up = sqrt((float(index / kSectors) + 0.5) / float(kRings));
     float azimuth = 2.0 * kAirPi * (float(index % kSectors) + 0.5) / float(kSectors);
-    Atmosphere clear = sky.air;
-    clear.cover.y = 1.0;
-    clear.under.w = 0.0;
-    seen[index] = openSky(clear, h, directionFrom(azimuth, gl_WorkGroupID.y > 0u ? -asin(up) : asin(up), sky.lights.sun.xyz), 16);
+    bool below = gl_WorkGroupID.y > 0u;
+    Atmosphere air = sky.air;
+    if (!below) {  // what is above has no clouds before it; the air below lies in their shade
+        air.cover.y = 1.0;
+        air.under.w = 0.0;
+    }
+    seen[index] = openSky(air, h, directionFrom(azimuth, below ? -asin(up) : asin(up), sky.lights.sun.xyz), 16);
     barrier();
     for (int rest = kRings * kSectors / 2; rest > 0; rest /= 2) {
         if (index < rest) seen[index] += seen[index + rest];
