@@ -89,11 +89,14 @@ void drawWindArrow(AirPen const& pen, AirView const& view, WindLevel const& leve
     drawText(pen.list, fonts().small, middle + glm::vec2{0.0f, 8.0f * pen.s}, kPaper, fmt::format("{:.0f} m  {:.0f} kt", level.height, knots(speed)), 0.5f);
 }
 
+// Both stand in the corner at the right, one beside the other: at the left are the keys of the first minutes.
+constexpr float kEdge = 14.0f, kTop = 84.0f, kMapWide = 212.0f, kLadderWide = 172.0f, kBetween = 8.0f;
+
 // --- the ladder of winds ----------------------------------------------------------------------------------------
 void drawLadder(AirPen const& pen, AirView const& view) {
-    float const row = 21.0f * pen.s, wide = 172.0f * pen.s;
-    glm::vec2 const from{14.0f * pen.s, 82.0f * pen.s};
-    glm::vec2 const to = from + glm::vec2{wide, row * static_cast<float>(view.winds.size()) + 34.0f * pen.s};
+    float const row = 21.0f * pen.s;
+    glm::vec2 const from{pen.size.x - pen.s * (kEdge + kMapWide + kBetween + kLadderWide), kTop * pen.s};
+    glm::vec2 const to = from + glm::vec2{kLadderWide * pen.s, row * static_cast<float>(view.winds.size()) + 34.0f * pen.s};
     pen.list.AddRectFilled(im(from), im(to), kPlate, 9.0f * pen.s);
     drawText(pen.list, fonts().small, from + pen.s * glm::vec2{12.0f, 6.0f}, kYellow, "Wind over the ground");
     float y = to.y - 6.0f * pen.s;
@@ -137,8 +140,8 @@ void drawMapLegend(AirPen const& pen, glm::vec2 at) {
 }
 
 void drawMap(AirPen const& pen, AirView const& view) {
-    float const wide = 212.0f * pen.s, high = 190.0f * pen.s;
-    glm::vec2 const from{pen.size.x - 14.0f * pen.s - wide, 84.0f * pen.s}, field = from + pen.s * glm::vec2{0.0f, 24.0f};
+    float const wide = kMapWide * pen.s, high = 190.0f * pen.s;
+    glm::vec2 const from{pen.size.x - kEdge * pen.s - wide, kTop * pen.s}, field = from + pen.s * glm::vec2{0.0f, 24.0f};
     pen.list.AddRectFilled(im(from), im(from + glm::vec2{wide, high + 48.0f * pen.s}), kPlate, 9.0f * pen.s);
     drawText(pen.list, fonts().small, from + pen.s * glm::vec2{12.0f, 5.0f}, kYellow, "Lift at your height, m/s");
     glm::vec2 const own{field.x + 0.5f * wide - 16.0f * pen.s, field.y + high - 14.0f * pen.s};
