@@ -49,7 +49,7 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kForward = 1.74f;
+GLSL_CONST float kForward = 1.86f;
 GLSL_CONST float kForwardTurns = 0.495f; // per optical depth, beyond the two of the first; each widens the lobe by g
 GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
@@ -66,7 +66,6 @@ GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
 
 // With the glow in place of the last of them:
-GLSL_CONST float kNearForward = 1.86f;
 GLSL_CONST float kGlow = 1.763f;
 GLSL_CONST float kGlowFade = 0.049f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
 GLSL_CONST float kGlowLeak = 0.155f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
@@ -84,14 +83,18 @@ GLSL_CONST float kFromBelow = 1.257f;
 // beam and is not taken out.
 GLSL_FUNCTION float beamBehind(float depth) { return exp(-0.35f * depth); }
 
+// Of a light at optical depth `toLight`: what is scattered once, and forward again and again. `s`: 1 less the mean cosine.
+GLSL_FUNCTION float scatteredForward(float cosine, float g, float toLight, float s) {
+    float beam = exp(-toLight), met = 1.0f - beam;
+    float lobe = henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
+    return cloudPhase(cosine, g) * beam + kForward * met * met * exp(-s * toLight) * lobe;
+}
+
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
 // `depth` (optical) below the nearest face of a cloud `along` deep the light's way and `wide` across it (optical, both). `powder` darkens thin edges
 // beyond what physics does (0: none).
 GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float along, float wide, float powder) {
     float s = 1.0f - meanCosine(g);
-    float once = cloudPhase(cosine, g) * exp(-toLight);
-    float lobe = pow(g, 2.0f + kForwardTurns * toLight), met = 1.0f - exp(-toLight);
-    float forward = kForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, lobe);
     float thin = min(along, wide), kept = 1.0f - kRim * exp(-kRimFade * s * depth);
     float few = kFewTurns * kept * pow(1.0f - diffused(thin, s), kFewThick) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
     float narrow = kManySides * toLight / (wide + 2.0f);
@@ -99,17 +102,14 @@ GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth,
     float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
     float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
     float many = kManyTurns * kept * pow(1.0f - diffused(kManyThick * thin, s), kManyPower) * kIsotropic * sides * leak * max(inside, 0.0f);
-    return (once + forward + few + many) * (1.0f - powder * exp(-2.0f * depth));
+    return (scatteredForward(cosine, g, toLight, s) + few + many) * (1.0f - powder * exp(-2.0f * depth));
 }
 
 // litByBeam where the glow of the beam is known (cloud_scene's glowAt).
 GLSL_FUNCTION float litByGlow(float cosine, float g, float toLight, float glow) {
     float s = 1.0f - meanCosine(g);
-    float beam = exp(-toLight), met = 1.0f - beam;
-    float once = cloudPhase(cosine, g) * beam;
-    float forward = kNearForward * met * met * exp(-s * toLight) * henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
     float many = kGlow / (1.0f + kGlowFade * s * toLight) * max(glow + kBeamKnown * kIsotropic * exp(-kBeamFade * s * toLight), 0.0f);
-    return once + forward + many;
+    return scatteredForward(cosine, g, toLight, s) + many;
 }
 
 // Of diffuse light, the same: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere, as a level plane
