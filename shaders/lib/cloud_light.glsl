@@ -49,7 +49,7 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kForward = 1.86f;
+GLSL_CONST float kForward = 2.0f;
 GLSL_CONST float kForwardTurns = 0.495f; // per optical depth, beyond the two of the first; each widens the lobe by g
 GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
@@ -74,7 +74,7 @@ GLSL_CONST float kBeamFade = 1.262f;    // and what the sample knows of it put i
 GLSL_CONST float kGlowAhead = 2.19f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
 GLSL_CONST float kSkyAhead = 1.887f;
 GLSL_CONST float kGlowAbove = 1.779f;
-GLSL_CONST float kGlowBelow = 0.535f;
+GLSL_CONST float kGlowBelow = 0.55f;
 
 GLSL_CONST float kFromAbove = 1.774f;
 GLSL_CONST float kFromBelow = 1.257f;

@@ -224,7 +224,7 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
         sum += cloudAt(p + toward * at + sideways, i > 0 ? kCoarseLod : max(blur, lod)).extinction * stretch;
         start += stretch;
-        stretch *= 3.0;
+        stretch *= 2.4;
         ++i;
     } while (i < 6 && start < leaves && sum < kDeepest);
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);
