@@ -241,7 +241,7 @@ glsl::LayerColumn ReferenceClouds::columnAt(int layer, glm::dvec3 const& place) 
 // The hottest place of the tracer: all in one function, for the one lod, with the instructions that the machine has. Nothing is
 // contracted, so the bits are the same on all.
 LUFTPOST_HOT glsl::CloudSample ReferenceClouds::sampleOf(int layer, glm::dvec3 const& place) const {
-    return glsl::layerSample(glm::vec3{place}, columnAt(layer, place), shape_.layers[layer], noise_.shape.billows(), noise_.detail.sampler(),
+    return glsl::layerSample(glm::vec3{place}, columnAt(layer, place), shape_.layers[layer], noise_.shape.sampler(), noise_.detail.sampler(),
                              noise_.curl.plane(), 0.0f);
 }
 

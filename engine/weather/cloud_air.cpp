@@ -107,7 +107,7 @@ void addDroplets(LayerAir const& l, glsl::LayerShape const& form) {
         column.anvil = glsl::anvilRank(static_cast<float>(l.rankAt(-static_cast<double>(form.fibre.z) * carried)), static_cast<float>(l.rankAt(-carried)), form.fibre.w);
     }
     NoiseVolumes const& noise = *l.from.noise;
-    double const extinction = static_cast<double>(glsl::layerSample(glm::vec3{l.at.positionWorld}, column, form, noise.shape.billows(),
+    double const extinction = static_cast<double>(glsl::layerSample(glm::vec3{l.at.positionWorld}, column, form, noise.shape.sampler(),
                                                                     noise.detail.sampler(), noise.curl.plane(), 0.0f).extinction);
     l.effect.extinction += extinction;
     double const supercooled = liquidShare(l.at.temperature) * freezing(l.at.temperature);

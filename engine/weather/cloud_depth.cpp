@@ -20,7 +20,7 @@ float layerDepth(glsl::LayerColumn const& c, glsl::LayerShape const& shape, glm:
     float sum = 0.0f;
     for (int i = 0; i < steps; ++i) {
         p.y = c.base + step * (static_cast<float>(i) + 0.5f);
-        sum += step * glsl::layerSample(p, c, shape, noise.shape.billows(), noise.detail.sampler(), noise.curl.plane(), 0.0f).extinction;
+        sum += step * glsl::layerSample(p, c, shape, noise.shape.sampler(), noise.detail.sampler(), noise.curl.plane(), 0.0f).extinction;
     }
     return sum;
 }

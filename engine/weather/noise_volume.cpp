@@ -105,7 +105,7 @@ NoiseVolume::NoiseVolume(glm::ivec3 const& size, int channels, std::vector<std::
 
 NoiseVolumes makeNoise(unsigned seed, int workers) {
     return {filled(kShape, 1, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::billowNoise(unit, seed), 0.0f, 0.0f, 0.0f}; }),
-            filled(kDetail, 4, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::detailNoise(unit, seed), 1.0f}; }),
+            filled(kDetail, 1, workers, [=](glm::vec3 const& unit) { return glm::vec4{glsl::detailNoise(unit, seed), 0.0f, 0.0f, 0.0f}; }),
             filled(kCurl, 4, workers, [=](glm::vec3 const& unit) {
                 return glsl::curlNoise(glm::vec2{unit.x, unit.y}, seed) * 0.5f + 0.5f;
             })};
@@ -118,7 +118,7 @@ void writeNoise(NoiseVolumes const& volumes, std::filesystem::path const& folder
 }
 
 NoiseVolumes loadNoise(std::filesystem::path const& folder) {
-    return {loadVolume(folder / "noise_shape.bin", kShape, 1), loadVolume(folder / "noise_detail.bin", kDetail, 4),
+    return {loadVolume(folder / "noise_shape.bin", kShape, 1), loadVolume(folder / "noise_detail.bin", kDetail, 1),
             loadVolume(folder / "noise_curl.bin", kCurl, 4)};
 }
 }  // namespace luftpost::weather

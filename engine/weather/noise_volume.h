@@ -23,9 +23,8 @@ public:
     int channels() const { return channels_; }
     int levelCount() const { return static_cast<int>(levels_.size()); }
     std::vector<std::uint8_t> const& texels(int level) const { return texels_[static_cast<std::size_t>(level)]; }
-    glsl::sampler3D sampler() const { return {levels_.data(), levelCount()}; }      // of four channels
-    glsl::billowSampler billows() const { return {levels_.data(), levelCount()}; }  // of one
-    glsl::planeSampler plane() const { return {levels_.data(), levelCount()}; }  // of a volume one texel high
+    glsl::sampler3D sampler() const { return {levels_.data(), levelCount()}; }   // of one channel
+    glsl::planeSampler plane() const { return {levels_.data(), levelCount()}; }  // of four, one texel high
 
 private:
     int channels_ = 4;
@@ -34,7 +33,7 @@ private:
 };
 
 inline constexpr int kShapeSize = 128;   // billows, 128 x 128 x 128, one channel
-inline constexpr int kDetailSize = 32;   // three Worley octaves, 32 x 32 x 32
+inline constexpr int kDetailSize = 64;   // wisps of the edges, 64 x 64 x 64, one channel
 inline constexpr int kCurlSize = 128;    // curl, fray and grain, 128 x 128 x 1
 inline constexpr unsigned kNoiseSeed = 1;
 

@@ -175,16 +175,10 @@ GLSL_FUNCTION float softDepth(float m, float soft) { return m < soft ? 0.5f * m 
 GLSL_CONST float kSoftFace = 0.2f;  // of an edge's softness, what light finds of it
 
 // What the fine noise takes from the faces, 0..1: wisps at the base, billows above, as `share` of the height goes from 0
-// to a fifth; a quarter of it is four times finer.
+// to a fifth. What is four times finer is the first to go with the lod.
 GLSL_FUNCTION float fineCarve(vec3 q, LayerShape s, vec4 plane, float share, sampler3D detail, float lod) {
     vec3 turned = (q + vec3(s.detail) - vec3(s.anchor) + 60.0f * vec3(plane.x, 0.0f, plane.y) * (1.0f - share)) * s.detail.w;
-    vec4 fine = textureLod(detail, turned, lod);
-    float wisps = 0.45f * fine.x + 0.3f * fine.y + 0.25f * fine.z;
-    if (lod < 1.0f) {
-        vec4 finer = textureLod(detail, turned * 4.0f, lod + 1.0f);
-        wisps += (0.22f * finer.x + 0.14f * finer.y - 0.18f) * (1.0f - lod);
-    }
-    wisps = clamp(1.7f * wisps - 0.35f, 0.0f, 1.0f);
+    float wisps = textureLod(detail, turned, lod + min(lod, 1.0f)).x;
     return mix(wisps, 1.0f - wisps, clamp(share * 5.0f, 0.0f, 1.0f));
 }
 
@@ -204,7 +198,7 @@ GLSL_CONST float kDeepestCarve = 0.3f;   // of half a tower's width, at most as 
 #endif
 
 // A layer with a body, its anvil apart.
-GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
+GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                      planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
@@ -323,7 +317,7 @@ GLSL_FUNCTION float anvilShare(float rank, float cover, LayerShape s) {
     return (rim - stormWay(rank, s)) / max(rim - stormWay(towers, s) + mostInset(towers, s), 1.0f);
 }
 
-GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, planeSampler curl, float lod) {
+GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, planeSampler curl, float lod) {
     float thickness = c.top - c.base;
     float above = p.y - c.base;
     CloudSample result = noCloud();
@@ -380,7 +374,7 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
 
 // A layer with a body at one point. `p`: m east and south from the frame's origin, y above sea level. `lod` 0 is the whole truth;
 // at lod n faces are blurred as what is 32 m 2^n wide sees them.
-GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
+GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       planeSampler curl, float lod) {
     float share = (p.y - c.base) / (c.top - c.base);
     if (share <= 0.0f || share >= 1.0f) return noCloud();
@@ -390,7 +384,7 @@ GLSL_FUNCTION CloudSample solidSample(vec3 p, LayerColumn c, LayerShape s, billo
 }
 
 // Any layer at one point, sheets of fibres too.
-GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, billowSampler shape, sampler3D detail,
+GLSL_FUNCTION CloudSample layerSample(vec3 p, LayerColumn c, LayerShape s, sampler3D shape, sampler3D detail,
                                       planeSampler curl, float lod) {
     if (s.look.z <= 0.5f) return solidSample(p, c, s, shape, detail, curl, lod);
     CloudSample result = noCloud();
@@ -430,7 +424,7 @@ GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
 }
 
 // Extinction of all the clouds at a point, 1/m.
-GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, billowSampler shape, sampler3D detail, planeSampler curl,
+GLSL_FUNCTION float density(vec3 p, CloudColumn c, CloudShape s, sampler3D shape, sampler3D detail, planeSampler curl,
                             float lod) {
     float sum = 0.0f;
     for (int i = 0; i < kCloudLayers; ++i)

@@ -56,21 +56,21 @@ vec3 inFlatFrame(vec3 toward, vec3 direction, vec3 flatPlace) {
     return normalize(vec3(toward.xz - ahead * toward.y * arc, up).xzy);
 }
 
-/// Light that falls on a place, clouds left out. It changes slowly: a ray asks anew every few kilometres.
+/// Light that falls on a place, the clouds of its own layers left out. It changes slowly: a ray asks anew every few kilometres.
 struct LightThere {
-    float asked;  // m along the ray
     vec3 toward;  // in the flat frame
     vec3 beam;    // irradiance
     Around around;
+    LayersAbove overhead;
 };
 
-LightThere lightThere(vec3 p, vec3 direction, float t, KeyLight key) {
+LightThere lightThere(vec3 p, vec3 direction, KeyLight key) {
     LightThere there;
-    there.asked = t;
     there.toward = inFlatFrame(key.toward, direction, p);
     vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
     there.beam = key.above * lightThroughAir(skyTransmittanceTable, size, p.y, there.toward.y, key.radius);
     there.around = aroundAt(p.y);
+    there.overhead = layersAbove(p, there.toward);
     return there;
 }
 
@@ -79,8 +79,7 @@ const float kThinnest = 0.015;  // 1/m: in thinner cloud the glow is asked for a
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
     vec3 toward = there.toward;
-    LayersAbove overhead = layersAbove(p, toward);
-    float toLight = depthToward(p, toward, first, lod) + overhead.sheets;
+    float toLight = depthToward(p, toward, first, lod) + there.overhead.sheets;
     float free = 1.0 / max(here.extinction, kThinnest);
     float known = glowKnown(p);
     float sun = glowAt(p + direction * (kGlowAhead * free)).x, sky = glowAt(p + direction * (kSkyAhead * free)).y;
@@ -88,8 +87,8 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float c
     float up = abs(toward.y), height = here.above + here.below;
     float far = litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
     float near = litByGlow(cosine, clouds.light.x, toLight, sun) * (1.0 - clouds.light.y * exp(-2.0 * here.depth));
-    vec3 diffuseFar = litByDiffuse(there.around.above, there.around.below, here.above + 0.5 * overhead.all, here.below, clouds.light.x);
-    vec3 diffuseNear = litBySkyGlow(there.around.above, there.around.below, sky * diffused(0.5 * overhead.sheets, 1.0 - clouds.light.x));
+    vec3 diffuseFar = litByDiffuse(there.around.above, there.around.below, here.above + 0.5 * there.overhead.all, here.below, clouds.light.x);
+    vec3 diffuseNear = litBySkyGlow(there.around.above, there.around.below, sky * diffused(0.5 * there.overhead.sheets, 1.0 - clouds.light.x));
     return there.beam * mix(far, near, known) + mix(diffuseFar, diffuseNear, known);
 }
 
@@ -113,7 +112,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight ke
     float straight = sheetDepth(place, column, clouds.shapes[layer], cloudCurlNoise, lod);
     if (coarse > 0.0) straight = mix(straight, 0.4 * smoothstep(-0.4, 0.4, column.cover - column.rank) *
                                                    column.water * clouds.shapes[layer].look.w * (column.top - column.base), coarse);
-    LightThere there = lightThere(place, direction, t, key);
+    LightThere there = lightThere(place, direction, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = share * straight / slope;
     vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 1.0e3, 0.0) +
@@ -313,7 +312,7 @@ struct Gathered {
 /// Through the cloud whose face the ray has come to, until it is out of it or nothing more gets through. The middle of a step
 /// stands for it, and says how long the next one may be.
 void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gathered sum) {
-    LightThere there = lightThere(placeAt(direction, walk.t, h), direction, walk.t, key);
+    LightThere there = lightThere(placeAt(direction, walk.t, h), direction, key);
     float cosine = dot(direction, key.toward);
     float shortest = max(10.0, 0.0015 * walk.t);
     float length = min(walk.stride > 0.0 ? 2.0 * shortest : shortest, longestStep(walk.t));

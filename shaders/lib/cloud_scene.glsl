@@ -201,6 +201,7 @@ float sliceWay(vec3 toward) {
 }
 
 const float kNearWay = 200.0;  // m: so far at least the way to the light is sampled, beyond it the grid knows
+const float kConeGrowth = 2.4;  // of a stretch, over the one before it
 
 /// Optical depth from `p` toward a light: samples in a widening cone, so far as billows count, then what the grid of optical depth
 /// holds; beyond the grids samples all the way. The nearest sees the billows, as blurred as its stretch is long; the others see
@@ -213,18 +214,18 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
     if (grid < 2) leaves = min(leaves, max(kNearWay, 0.7 * sliceWay(toward)));
     float blur = log2(max(first * (1.0 / 32.0), 2.0));
-    float sum = 0.0;
-    float start = 0.0;
-    float stretch = first;
-    int i = 0;
-    do {
-        if (grid == 2 && i > 0) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
+    float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
+    float start = first;
+    float stretch = kConeGrowth * first;
+    int i = 1;
+    if (start < leaves) do {
+        if (grid == 2) stretch = min(stretch, leaves - start);  // the last one ends where the clouds do
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        sum += cloudAt(p + toward * at + sideways, i > 0 ? kCoarseLod : max(blur, lod)).extinction * stretch;
+        sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
-        stretch *= 2.4;
+        stretch *= kConeGrowth;
         ++i;
     } while (i < 6 && start < leaves && sum < kDeepest);
     if (grid < 2) sum += griddedDepth(grid, p + toward * start, onPlane);

@@ -249,15 +249,12 @@ GLSL_FUNCTION float billowNoise(vec3 unit, uint seed) {
     return clamp((0.20f * noise.x + 0.32f * noise.y + 0.28f * noise.z + 0.20f * noise.w - 0.25f) * 2.0f, 0.0f, 1.0f);
 }
 
-// Three Worley octaves for the edges.
-GLSL_FUNCTION vec3 detailNoise(vec3 unit, uint seed) {
-    float w2 = billows(unit, 2, seed + 21u);
-    float w4 = billows(unit, 4, seed + 22u);
-    float w8 = billows(unit, 8, seed + 23u);
-    float w16 = billows(unit, 16, seed + 24u);
-    return vec3(ramp(0.625f * w2 + 0.25f * w4 + 0.125f * w8, 0.12f, 0.8f),
-                ramp(0.625f * w4 + 0.25f * w8 + 0.125f * w16, 0.12f, 0.8f),
-                ramp(0.75f * w8 + 0.25f * w16, 0.08f, 0.8f));
+// The wisps of the edges, 0..1 over the whole of its range: Worley octaves, and the same four times finer.
+GLSL_FUNCTION float detailNoise(vec3 unit, uint seed) {
+    vec3 fine = unit * 4.0f;
+    return clamp(0.69f * billows(unit, 2, seed + 21u) + 0.72f * billows(unit, 4, seed + 22u) + 0.65f * billows(unit, 8, seed + 23u) +
+                     0.13f * billows(unit, 16, seed + 24u) + 0.34f * billows(fine, 2, seed + 21u) + 0.34f * billows(fine, 4, seed + 22u) +
+                     0.12f * billows(fine, 8, seed + 23u) - 0.855f, 0.0f, 1.0f);
 }
 
 // Potential of the curl field: the field has no divergence because it is a curl.

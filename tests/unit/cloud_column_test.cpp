@@ -141,7 +141,7 @@ TEST(CloudColumn, DensityNeverFallsAsTheCoverRises) {
             float before = 0.0f;
             for (float cover = 0.30f; cover < 0.70f; cover += 0.01f) {
                 glsl::LayerColumn const column{0.45f, cover, 1000.0f, 2000.0f, 5e-4f, 0.45f};
-                float const now = glsl::layerSample(p, column, shape, noise().shape.billows(), noise().detail.sampler(),
+                float const now = glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(),
                                                     noise().curl.plane(), 0.0f).extinction;
                 EXPECT_GE(now, before - 2e-3f) << genusName(genus);
                 before = now;
@@ -162,7 +162,7 @@ Level levelOf(Weather const& weather, float height) {
         double const east = i % n * 1900.0, north = i / n * 1900.0;
         glsl::LayerColumn const column = columns.at(east, north).layers[0];
         glm::vec3 const p{static_cast<float>(east), column.base + height * (column.top - column.base), static_cast<float>(-north)};
-        float const extinction = glsl::layerSample(p, column, shape, noise().shape.billows(), noise().detail.sampler(), noise().curl.plane(), 0.0f).extinction;
+        float const extinction = glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(), noise().curl.plane(), 0.0f).extinction;
         if (extinction < 1e-5f) continue;
         ++found;
         level.extinction += static_cast<double>(extinction);
@@ -189,7 +189,7 @@ TEST(Anvil, IsThinIceThatSpreadsOverItsTowersUnderTheTropopause) {
 double extinctionAt(CloudColumns const& columns, glsl::LayerShape const& shape, double east, double north, float height) {
     glsl::LayerColumn const column = columns.at(east, north).layers[0];
     glm::vec3 const p{static_cast<float>(east), column.base + height * (column.top - column.base), static_cast<float>(-north)};
-    return static_cast<double>(glsl::layerSample(p, column, shape, noise().shape.billows(), noise().detail.sampler(), noise().curl.plane(), 0.0f).extinction);
+    return static_cast<double>(glsl::layerSample(p, column, shape, noise().shape.sampler(), noise().detail.sampler(), noise().curl.plane(), 0.0f).extinction);
 }
 
 constexpr double kAway = 3000.0;  // m, of storms in cells of 8 km
