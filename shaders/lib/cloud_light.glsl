@@ -49,7 +49,7 @@ GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s
 // `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
 GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
 
-GLSL_CONST float kForward = 2.0f;
+GLSL_CONST float kForward = 1.876f;
 GLSL_CONST float kForwardTurns = 0.495f; // per optical depth, beyond the two of the first; each widens the lobe by g
 GLSL_CONST float kFewTurns = 1.15f;
 GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
@@ -66,15 +66,15 @@ GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered
 GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
 
 // With the glow in place of the last of them:
-GLSL_CONST float kGlow = 1.763f;
+GLSL_CONST float kGlow = 1.781f;
 GLSL_CONST float kGlowFade = 0.049f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
 GLSL_CONST float kGlowLeak = 0.155f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
-GLSL_CONST float kBeamKnown = 0.564f;  // what the glow's grid knows of the beam is taken out,
-GLSL_CONST float kBeamFade = 1.262f;    // and what the sample knows of it put in
-GLSL_CONST float kGlowAhead = 2.19f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
-GLSL_CONST float kSkyAhead = 1.887f;
-GLSL_CONST float kGlowAbove = 1.779f;
-GLSL_CONST float kGlowBelow = 0.55f;
+GLSL_CONST float kBeamKnown = 0.613f;  // what the glow's grid knows of the beam is taken out,
+GLSL_CONST float kBeamFade = 1.038f;    // and what the sample knows of it put in
+GLSL_CONST float kGlowAhead = 1.888f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
+GLSL_CONST float kSkyAhead = 1.972f;
+GLSL_CONST float kGlowAbove = 1.763f;
+GLSL_CONST float kGlowBelow = 0.563f;
 
 GLSL_CONST float kFromAbove = 1.774f;
 GLSL_CONST float kFromBelow = 1.257f;

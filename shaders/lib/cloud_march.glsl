@@ -177,7 +177,10 @@ MarchResult withSheets(MarchResult ray, vec3 direction, float end, KeyLight key)
 }
 
 const float kSearch = 2.0;        // full steps that look for a face, as a share of the longest: at most,
-const float kShortSearch = 0.6;   // and at least
+const float kShortSearch = 0.7;   // and at least
+const float kShortOutline = 1.2;  // the same of those that look for an outline, at least
+const float kLongOutline = 6.0;   // and at most
+const float kStepGrowth = 1.35;   // of a step in a cloud, over the one before it, at most
 const float kOpaque = 0.06;       // transmittance that counts as none
 const int kEmptySteps = 16;       // of these until they are cheap again
 const float kUnknownGap = 30.0;   // m, from a place outside to the face, where the way there was not asked for
@@ -202,7 +205,7 @@ struct Walk {
 
 // The loops stand one after the other, each with little in it: rays that are through with one wait for the rest, and then all do
 // the next together. What was found between two steps is narrowed down in the same loop: there is one place where it asks.
-const int kHalves = 3;  // of an outline, which only says yes or no
+const int kHalves = 1;  // of an outline, which only says yes or no
 
 /// In cheap steps on to where there may be cloud, to the last place found outside; false when the stretch between two faces ends before.
 /// Neighbouring rays so begin their full steps side by side, and meet or miss the same thin turret.
@@ -212,7 +215,8 @@ bool findOutline(vec3 direction, float h, inout Walk walk) {
     float outside = walk.t, inside = walk.t, at = walk.t;
     bool on = walk.t < walk.end && walk.left > 0;
     if (on) do {
-        bool cloud = cloudMayBeOf(walk.layers, placeAt(direction, at, h));
+        float away = outsideOutlines(walk.layers, placeAt(direction, at, h));
+        bool cloud = away <= 0.0;
         if (found) {
             --halves;
             inside = cloud ? at : inside;
@@ -223,7 +227,8 @@ bool findOutline(vec3 direction, float h, inout Walk walk) {
             inside = walk.t;
             outside = walk.t - walk.stride;
             if (!found) {
-                walk.stride = (walk.stride > 0.0 ? 2.5 : 2.0) * longestStep(walk.t);
+                float longest = longestStep(walk.t);
+                walk.stride = clamp(0.8 * away, kShortOutline * longest, kLongOutline * longest);
                 walk.t += walk.stride;
             }
         }
@@ -328,7 +333,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         float kept = exp(-here.extinction * length);
         float weight = sum.ray.through * (1.0 - kept);
         // What little still reaches the eye needs no near billows on its way to the light.
-        float first = clamp(max(0.5 * length, 1.5 * middle * frame.projection.w) / max(sum.ray.through, 0.25), 25.0, 240.0);
+        float first = clamp(1.5 * middle * frame.projection.w / max(sum.ray.through, 0.25), 25.0, 240.0);
         if (inside) sum.ray.light += weight * lightAt(p, there, here, direction, cosine, lodAt(walk.t, length), first);
         sum.ray.distance += weight * middle;
         sum.weights += weight;
@@ -337,7 +342,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         walk.stride = length;
         shortest = max(10.0, 0.0015 * walk.t);
         float depth = mix(2.8, 1.2, sum.ray.through);  // what little still reaches the eye needs no fine steps
-        length = min(min(length * 1.5, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
+        length = min(min(length * kStepGrowth, longestStep(walk.t)), max(depth / max(here.extinction, 1e-5), shortest));
         on = inside && sum.ray.through > kOpaque && walk.t < far && walk.left > 0;
     } while (on);
     if (inside) walk.stride = 0.0;  // no face behind

@@ -101,9 +101,13 @@ CloudSample cloudOf(int bits, vec3 p, float lod) {
 }
 CloudSample cloudAt(vec3 p, float lod) { return cloudOf(layersAt(p.y), p, lod); }
 
-/// Whether there may be cloud of the layers at a place: outlines and heights alone, no volumes read.
-bool cloudMayBeOf(int bits, vec3 p) {
+const float kDomeSlope = 0.3;  // of a height over a dome's face, how far that face may be
+
+/// About how far a place lies outside the outlines of the layers, m: what the rank says in the plane, or the height over a dome. 0: there may be
+/// cloud. No volumes are read.
+float outsideOutlines(int bits, vec3 p) {
     bool found = false;
+    float outside = 1.0e6;
     if (bits != 0) do {
         int layer = findLSB(bits);
         float coarse;
@@ -117,9 +121,11 @@ bool cloudMayBeOf(int bits, vec3 p) {
         found = margin > 0.0 && between && share > 0.0 && share < 1.0;
         if (!found && anvilReaches(c, layer, p.y, 0.0) && share < kAnvilTop + 0.01)
             found = c.cover - withAnvil(c, layer, p.xz).anvil + anvilFray(c.cover) > 0.0;
+        float overDome = margin > 0.0 ? kDomeSlope * (share - rise) * (c.top - c.base) : 0.0;
+        outside = min(outside, max(-margin * s.body.x, overDome));
         bits &= bits - 1;
     } while (bits != 0 && !found);
-    return found;
+    return found ? 0.0 : outside;
 }
 
 /// Optical depths of the layers that lie wholly above a place, where a way along `toward` passes them.
