@@ -103,29 +103,30 @@ CloudSample cloudAt(vec3 p, float lod) { return cloudOf(layersAt(p.y), p, lod); 
 
 const float kDomeSlope = 0.3;  // of a height over a dome's face, how far that face may be
 
-/// About how far a place lies outside the outlines of the layers, m: what the rank says in the plane, or the height over a dome. 0: there may be
-/// cloud. No volumes are read.
+/// About how far a place lies outside the outlines of the layers, m: what the rank says in the plane, or the height over a dome or under a
+/// lens; 0 or less: there may be cloud. No volumes are read.
 float outsideOutlines(int bits, vec3 p) {
-    bool found = false;
     float outside = 1.0e6;
     if (bits != 0) do {
         int layer = findLSB(bits);
         float coarse;
         LayerColumn c = columnAt(layer, p.xz, coarse);
         LayerShape s = clouds.shapes[layer];
-        float share = (p.y - c.base) / (c.top - c.base);
+        float thickness = c.top - c.base;
+        float share = (p.y - c.base) / thickness;
         float towers = towerCover(c.cover, s);
         float margin = towers - c.rank + s.look.y * frayWindow(towers) + 0.4 * coarse;
         float rise = riseAt(margin, towers, s);
-        bool between = coarse > 0.0 || (share <= rise && share >= s.form.y * (1.0 - rise));
-        found = margin > 0.0 && between && share > 0.0 && share < 1.0;
-        if (!found && anvilReaches(c, layer, p.y, 0.0) && share < kAnvilTop + 0.01)
-            found = c.cover - withAnvil(c, layer, p.xz).anvil + anvilFray(c.cover) > 0.0;
-        float overDome = margin > 0.0 ? kDomeSlope * (share - rise) * (c.top - c.base) : 0.0;
-        outside = min(outside, max(-margin * s.body.x, overDome));
+        float past = max(share - rise, s.form.y * (1.0 - rise) - share);  // of the thickness
+        past = max(coarse > 0.0 ? -1.0 : kDomeSlope * past, max(-share, share - 1.0));
+        outside = min(outside, max(-margin * s.body.x, past * thickness));
+        if (hasTowers(s)) {
+            float rim = (withAnvil(c, layer, p.xz).anvil - c.cover - anvilFray(c.cover)) * s.body.x;
+            outside = min(outside, max(rim, max(kAnvilFoot - share, share - kAnvilTop - 0.01) * thickness));
+        }
         bits &= bits - 1;
-    } while (bits != 0 && !found);
-    return found ? 0.0 : outside;
+    } while (bits != 0 && outside > 0.0);
+    return outside;
 }
 
 /// Optical depths of the layers that lie wholly above a place, where a way along `toward` passes them.
