@@ -410,17 +410,23 @@ GLSL_FUNCTION float envelopeDepth(LayerColumn c, LayerShape s, float up) {
     return mix(here, mean, clamp(thickness * sqrt(1.0f - up * up) / (up * 3000.0f), 0.0f, 1.0f));
 }
 
+GLSL_CONST float kFarSoft = 0.2f;   // of the rank, half of what a face is wide
+GLSL_CONST float kFarDome = 0.7f;   // share of the height by which tops are domes
+
 // Beyond the reach of 3D detail: the mean of many clouds. The rank is then the coarse one, and the share of the ground
 // under cloud rises softly where it passes below the cover. A way through clouds of chord k that cover the share c meets
-// one every k (1 - c) / c; fewer reach far up.
+// one every k (1 - c) / c; the thin ones end lower.
 GLSL_FUNCTION float distantExtinction(float y, LayerColumn c, LayerShape s) {
     float h = (y - c.base) / (c.top - c.base);
     float cover = clamp(c.cover - s.body.y, 0.0f, 1.0f);
     if (h <= 0.0f || h >= 1.0f || cover <= 0.0f) return 0.0f;
-    float share = mix(cover, smoothstep(-0.45f, 0.45f, cover - c.rank), min(4.0f * cover * (1.0f - cover), 1.0f));
+    float margin = cover - c.rank;
+    float parted = min(4.0f * cover * (1.0f - cover), 1.0f);  // a closed layer is not
+    float share = mix(cover, smoothstep(-kFarSoft, kFarSoft, margin), parted);
     float met = share / (1.2f * s.body.x * (1.02f - share));
-    float reaching = 1.0f - h * (1.0f - 0.5f * share);
-    return min(met * reaching * reaching, 0.3f * c.water * s.look.w);
+    float x = 1.0f - clamp((margin + kFarSoft) / (s.form.x + kFarSoft), 0.0f, 1.0f);
+    float reaching = clamp(4.0f * (1.0f - kFarDome * parted * x * x - h), 0.0f, 1.0f);
+    return min(met * reaching, 0.3f * c.water * s.look.w);
 }
 
 // Extinction of all the clouds at a point, 1/m.

@@ -73,8 +73,9 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     float h = (p.y - column.base) / (column.top - column.base);
     near.depth = mix(near.depth, 0.5, coarse);
     near.wide = mix(near.wide, 30.0, coarse);
-    near.above = mix(near.above, 8.0 * (1.0 - h), coarse);
-    near.below = mix(near.below, 8.0 * h, coarse);
+    float whole = clamp(0.5 * column.water * clouds.shapes[layer].look.w * (column.top - column.base), 8.0, 40.0);
+    near.above = mix(near.above, whole * (1.0 - h), coarse);
+    near.below = mix(near.below, whole * h, coarse);
     return near;
 }
 
