@@ -31,10 +31,8 @@ void CloudGlow::spread(GridRows const& rows, int sweeps) {
     }
 }
 
-void CloudGlow::draw(GridRows const& rows, CloudScene const& scene) {
-    glm::vec4 const& heights = scene.block().depthHeights;
-    // A change of the heights asks for all rows anew: what was left out is not missed.
-    if (rows.count == 0 || heights.y - heights.x >= glsl::kGlowCoarse * static_cast<float>(kCells.z)) return;
+void CloudGlow::draw(GridRows const& rows) {
+    if (rows.count == 0) return;
     cellsProgram_.use();
     cellsProgram_.set("firstRow", rows.first);
     cellsProgram_.set("anew", rows.anew ? 1 : 0);

@@ -3,7 +3,6 @@
 #include "engine/gl/program_library.h"
 #include "engine/gl/sampler.h"
 #include "engine/gl/texture.h"
-#include "engine/render/cloud_scene.h"
 
 namespace luftpost::render {
 /// Rows of columns that are drawn anew in a frame.
@@ -20,8 +19,8 @@ class CloudGlow {
 public:
     explicit CloudGlow(gl::ProgramLibrary& programs);
 
-    /// After the grids of optical depth are bound. Does nothing where clouds stand so high that nobody would ask for it.
-    void draw(GridRows const& rows, CloudScene const& scene);
+    /// After the grids of optical depth are bound.
+    void draw(GridRows const& rows);
     /// For the passes that read it.
     void bind() const;
     std::size_t bytes() const { return cells_.bytes() + glow_.bytes(); }

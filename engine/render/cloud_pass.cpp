@@ -52,7 +52,7 @@ void CloudPass::prepare(FrameContext const& context) {
     shadow_.bind();
     GridRows const rows = context.tile ? GridRows{} : depths_.draw(scene_);
     depths_.bind();
-    glow_.draw(rows, scene_);
+    glow_.draw(rows);
     glow_.bind();
     if (!context.tile) shade_.draw(context, scene_);
     shade_.bind();

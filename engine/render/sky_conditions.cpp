@@ -30,6 +30,21 @@ double closedShare(weather::Weather const& weather) {
     return (sum + 1e-9 * 0.25) / weights / (1.0 + std::sqrt(rain / kDarkRain));
 }
 
+/// Share of the light from above that the sky's layers send back, and the altitude of their tops, weighed by it.
+void setAlbedo(weather::Weather const& weather, sky::AirConditions& conditions) {
+    double open = 1.0, tops = 0.0, weights = 0.0;
+    for (int i = 0; i < weather.layerCount; ++i) {
+        weather::Layer const& layer = weather.layers[static_cast<std::size_t>(i)];
+        double const sent = taken(layer) * static_cast<double>(layer.cover) * (1.0 - kLeft.at(static_cast<std::size_t>(layer.genus)));
+        open *= 1.0 - sent;
+        tops += sent * static_cast<double>(layer.top);
+        weights += sent;
+    }
+    if (weights < 1e-6) return;
+    conditions.cloudAlbedo = 1.0 - open;
+    conditions.cloudTop = tops / weights;
+}
+
 /// Lowest base of layers that dim the sun, else far above the air's haze.
 double lowestBase(weather::Weather const& weather) {
     double base = 1.0e5;
@@ -52,6 +67,17 @@ double coverAbove(weather::Weather const& weather, double altitude) {
     return 1.0 - open;
 }
 
+namespace {
+/// coverAbove; but where it rains there is cloud overhead, whatever share of the land has some.
+double dimmingCover(weather::Weather const& weather, double altitude, double cloudBase) {
+    double const cover = coverAbove(weather, altitude);
+    if (weather.precipitation == weather::Precipitation::None || cover <= 0.0) return cover;
+    double const rain = std::clamp(weather.precipitationRate / 2.0, 0.0, 1.0);
+    double const below = std::clamp((cloudBase + 500.0 - altitude) / 500.0, 0.0, 1.0);
+    return std::lerp(cover, std::max(cover, 0.99), rain * below);
+}
+}  // namespace
+
 sky::AirConditions airConditions(Snapshot const& snapshot) {
     sky::AirConditions conditions;
     conditions.visibility = snapshot.weather.visibility;
@@ -60,13 +86,9 @@ sky::AirConditions airConditions(Snapshot const& snapshot) {
     conditions.cloudBase = lowestBase(snapshot.weather);
     if (snapshot.weather.precipitationRate > 0.1 && conditions.cloudBase < 9000.0)  // rain veils all it falls through
         conditions.fogDepth = std::max(conditions.cloudBase - conditions.groundAltitude, conditions.fogDepth);
-    conditions.cover = coverAbove(snapshot.weather, snapshot.camera.positionWorld.y);
-    // Where it rains there is cloud overhead, whatever share of the land has some.
-    if (snapshot.weather.precipitation != weather::Precipitation::None && conditions.cover > 0.0) {
-        double const rain = std::clamp(snapshot.weather.precipitationRate / 2.0, 0.0, 1.0);
-        double const below = std::clamp((conditions.cloudBase + 500.0 - snapshot.camera.positionWorld.y) / 500.0, 0.0, 1.0);
-        conditions.cover = std::lerp(conditions.cover, std::max(conditions.cover, 0.99), rain * below);
-    }
+    conditions.cover = dimmingCover(snapshot.weather, snapshot.camera.positionWorld.y, conditions.cloudBase);
+    conditions.landCover = dimmingCover(snapshot.weather, std::min(snapshot.camera.positionWorld.y, snapshot.place.altitude_m), conditions.cloudBase);
+    setAlbedo(snapshot.weather, conditions);
     conditions.closedShare = closedShare(snapshot.weather);
     return conditions;
 }

@@ -46,7 +46,8 @@ SkyPass::SkyPass(gl::ProgramLibrary& programs)
 bool SkyPass::airChanged(sky::AirConditions const& now) const {
     return !tables_ || differs(now.visibility, tablesMadeFor_.visibility, 0.02, 0.0) ||
            differs(now.groundAltitude, tablesMadeFor_.groundAltitude, 0.0, 5.0) ||
-           differs(now.fogDepth, tablesMadeFor_.fogDepth, 0.05, 0.0);
+           differs(now.fogDepth, tablesMadeFor_.fogDepth, 0.05, 0.0) ||
+           differs(now.cloudAlbedo, tablesMadeFor_.cloudAlbedo, 0.0, 0.01) || differs(now.cloudTop, tablesMadeFor_.cloudTop, 0.02, 10.0);
 }
 
 bool SkyPass::viewChanged(View const& now) const {
@@ -56,6 +57,7 @@ bool SkyPass::viewChanged(View const& now) const {
            glm::distance(now.state.moonDirectionWorld, then.state.moonDirectionWorld) > 3.0 * kSunSteps ||
            differs(now.altitude, then.altitude, 0.005, 1.0) ||
            differs(now.conditions.cover, then.conditions.cover, 0.0, 0.01) ||
+           differs(now.conditions.landCover, then.conditions.landCover, 0.0, 0.01) ||
            differs(now.conditions.closedShare, then.conditions.closedShare, 0.02, 0.0) ||
            differs(now.conditions.cloudBase, then.conditions.cloudBase, 0.01, 5.0);
 }
@@ -76,6 +78,7 @@ void SkyPass::makeLight(View const& view) {
     block_.skyCamera = glm::vec4{static_cast<float>(std::max(view.altitude, 0.0)), moonlit ? 1.0f : 0.0f,
                                   view.state.sunDirectionWorld.y < kMoonlightMatters ? 1.0f : 0.0f, 0.0f};
     block_.airglow = glm::vec4{sky::airglowRadiance(), 0.0f};
+    block_.land = glm::vec4{sky::landContrast(light_, view.state, view.conditions), 0.0f, 0.0f};
     block_.celestialFromWorld = glm::mat4{glm::mat3{view.state.celestialFromWorld}};
 }
 
@@ -83,8 +86,10 @@ void SkyPass::describe(Snapshot const& snapshot, glsl::FrameBlock& frame) {
     View const view{snapshot.sky, airConditions(snapshot), snapshot.camera.positionWorld.y};
     if (snapshot.still || airChanged(view.conditions)) {
         sky::AirConditions clear = view.conditions;
-        clear.cover = 0.0;
-        if (!tables_ || clear != tablesMadeFor_) tables_.emplace(sky::atmosphere(clear));
+        clear.cover = clear.landCover = 0.0;
+        sky::AirConditions const cloudless{.visibility = clear.visibility, .groundAltitude = clear.groundAltitude, .fogDepth = clear.fogDepth, .groundAlbedo = clear.groundAlbedo};
+        if (!tables_ || cloudless != cloudless_) tables_.emplace(sky::atmosphere(cloudless));
+        cloudless_ = cloudless;
         tablesMadeFor_ = clear;
         airDirty_ = true;
     }

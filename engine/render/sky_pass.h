@@ -51,8 +51,9 @@ private:
     gl::Texture3D aerial_, aerialThrough_;
     gl::Buffer buffer_;
 
-    std::optional<sky::AtmosphereTables> tables_;
-    sky::AirConditions tablesMadeFor_;
+    std::optional<sky::AtmosphereTables> tables_;  // of the air without clouds, on the CPU
+    sky::AirConditions cloudless_;                 // what those are made for
+    sky::AirConditions tablesMadeFor_;             // those of the GPU
     std::optional<View> viewMadeFor_;
     sky::SkyLight light_;
     glsl::SkyBlock block_{};

@@ -40,7 +40,7 @@ std::vector<glm::vec4> table(int width, int height, Texel texel) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             glm::vec2 const centre{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
-            texels.emplace_back(texel(centre / sizeOf(width, height)), 1.0f);
+            texels.push_back(texel(centre / sizeOf(width, height)));
         }
     return texels;
 }
@@ -57,7 +57,7 @@ glsl::Atmosphere atmosphere(AirConditions const& conditions) {
     air.haze = glm::vec4{hazeColour(f(haze)), 1800.0f};
     air.ozone = glm::vec4{kOzone, kFogAlbedo};
     air.fog = glm::vec4{f(fog), f(std::max(conditions.fogDepth, 20.0)), f(conditions.groundAltitude), kHazeAlbedo};
-    air.cover = glm::vec4{f(conditions.cloudBase), f(direct), 0.0f, 0.0f};
+    air.cover = glm::vec4{f(conditions.cloudBase), f(direct), f(conditions.cloudTop), f(conditions.cloudAlbedo)};
     air.under = glm::vec4{0.0f, 0.0f, 0.0f, 0.0f};
     air.ground = glm::vec4{0.0f, 0.0f, 0.0f, f(conditions.groundAlbedo)};
     return air;
@@ -71,7 +71,7 @@ double directShareUnder(double cover) { return std::pow(1.0 - std::clamp(cover, 
 AtmosphereTables::AtmosphereTables(glsl::Atmosphere const& air) : air_{air} {
     transmittance_ = table(kTransmittanceWidth, kTransmittanceHeight, [&](glm::vec2 uv) {
         glm::vec2 const argument = glsl::transmittanceArgument(kTransmittanceSize, uv);
-        return glsl::transmittanceToTopExact(air_, argument.x, argument.y);
+        return glm::vec4{glsl::transmittanceToTopExact(air_, argument.x, argument.y), 1.0f};
     });
     multiple_ = table(kMultipleWidth, kMultipleHeight, [&](glm::vec2 uv) {
         glm::vec2 const argument = glsl::multipleArgument(kMultipleSize, uv);

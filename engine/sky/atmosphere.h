@@ -18,6 +18,9 @@ struct AirConditions {
     double cover = 0.0;              // 0..1: share of the sky under cloud, each layer weighed by how dense it is
     double closedShare = 0.25;       // share of the clear day's light that comes down where these clouds close the sky
     double groundAlbedo = 0.18;      // of the land around
+    double landCover = 0.0;          // as `cover`, but over the land: less than `cover` counts as that
+    double cloudTop = 1.0e5;         // m above sea level: of the clouds that reflect most
+    double cloudAlbedo = 0.0;        // share of the light from above that all clouds send back, in the mean over the land
     bool operator==(AirConditions const&) const = default;
 };
 

@@ -9,8 +9,11 @@
 namespace luftpost::sky {
 namespace {
 constexpr double kFullMoon_lx = 0.267;
+// Share of the light from below that the air sends down again, at sea level, and m, the height over which that falls to 1 / e: so that the sky over a
+// closed sheet is as much brighter as the path tracer has it (1.5 times about noon, 1.2 times with the sun 16 degrees up).
+constexpr glm::vec3 kAirSendsDown{0.065f, 0.11f, 0.21f};
+constexpr double kAirScale = 8000.0;
 constexpr double kMeanMoonRadius = 0.004520;  // rad, at the mean distance
-constexpr float kCloudAlbedo = 0.6f;
 
 /// Direct irradiance on a horizontal plane.
 glm::vec3 onThePlane(glm::vec3 const& facing, glm::dvec3 const& direction) {
@@ -20,8 +23,8 @@ glm::vec3 onThePlane(glm::vec3 const& facing, glm::dvec3 const& direction) {
 /// Diffuse irradiance under clouds: what Kasten and Czeplak leave of the global one less the direct beam's share. Clouds do
 /// not tint, but their tops see a light that half the air has not coloured yet: an overcast day is a little bluer than
 /// the sun (6500 K; CIE D65).
-glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, AirConditions const& conditions) {
-    double const cover = conditions.cover, share = globalShareUnder(cover, conditions.closedShare);
+glm::vec3 underCover(glm::vec3 const& sky, glm::vec3 const& direct, double cover, double closedShare) {
+    double const share = globalShareUnder(cover, closedShare);
     glm::vec3 const clear = sky + direct;
     glm::vec3 const grey = luminance(clear) * glm::sqrt(clear / std::max(luminance(clear), 1e-20f)) * glm::vec3{0.97f, 1.0f, 1.06f};
     glm::vec3 const global = glm::mix(clear, grey, static_cast<float>(std::clamp(cover, 0.0, 1.0))) * static_cast<float>(share);
@@ -58,12 +61,26 @@ SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double 
                      light.moonAboveAir * tables.skyIrradiance(altitude, moonUp) +
                      airglowRadiance() * static_cast<float>(core::kPi);
     glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
-    light.sky = underCover(light.skyClear, direct, conditions);
+    // The land as the clouds above it leave it, which from above them is not how the light up here would.
+    double const landCover = std::max(conditions.cover, conditions.landCover);
+    glm::vec3 const onLand =
+        underCover(light.skyClear, direct, landCover, conditions.closedShare) + direct * static_cast<float>(directShareUnder(landCover));
+    float const over = static_cast<float>(glm::smoothstep(0.9 * conditions.cloudTop, 1.1 * conditions.cloudTop, altitude) * conditions.cloudAlbedo);
+    light.skyClear += (light.skyClear + direct) * over * kAirSendsDown * static_cast<float>(std::exp(-altitude / kAirScale));
+    light.sky = underCover(light.skyClear, direct, conditions.cover, conditions.closedShare);
     glm::vec3 const total = light.sky + direct * static_cast<float>(directShareUnder(conditions.cover));
-    light.groundRadiance = total * landAlbedo(conditions) / static_cast<float>(core::kPi);
-    light.ground = total * landAlbedo(conditions);
+    light.groundRadiance = onLand * landAlbedo(conditions) / static_cast<float>(core::kPi);
+    light.ground = onLand * landAlbedo(conditions) + total * over;
     light.exposure = exposureFor(meanLuminance(light, state, conditions.cover));
     return light;
+}
+
+glm::vec2 landContrast(SkyLight const& light, SkyState const& state, AirConditions const& conditions) {
+    glm::vec3 const direct = onThePlane(light.sun, state.sunDirectionWorld) + onThePlane(light.moon, state.moonDirectionWorld);
+    double const sky = static_cast<double>(luminance(light.skyClear)), diffuse = sky / std::max(sky + static_cast<double>(luminance(direct)), 1e-12);
+    double const cover = std::clamp(std::max(conditions.cover, conditions.landCover), 0.0, 1.0), mean = globalShareUnder(cover, conditions.closedShare);
+    double const shade = std::lerp(diffuse, conditions.closedShare, cover);
+    return glm::vec2{glm::dvec2{shade, shade + 1.0 - diffuse} / mean};
 }
 
 float meanLuminance(SkyLight const& light, SkyState const& state, double cover) {

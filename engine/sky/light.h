@@ -22,9 +22,13 @@ struct SkyLight {
     float exposure = 1.0f;        // from radiance to the tone curve, before the picture is measured; no jump from noon to night
 };
 
-/// Light at `altitude` (m above sea level). `conditions.cover` is what lies above that altitude.
+/// Light at `altitude` (m above sea level). `conditions.cover` is what lies above that altitude; `tables` are of the air without clouds.
 SkyLight skyLight(SkyState const& state, AtmosphereTables const& tables, double altitude,
                   AirConditions const& conditions);
+
+/// Light on land in the shade of clouds and in the sun, over its mean under the clouds of the hour (which `ground` is of). In the shade it is the open
+/// sky's between the clouds and what they let through; against path-traced land under cumulus and stratocumulus its mean is within a sixth.
+glm::vec2 landContrast(SkyLight const& light, SkyState const& state, AirConditions const& conditions);
 
 /// Albedo of the land in the mean, by colour.
 glm::vec3 landAlbedo(AirConditions const& conditions);

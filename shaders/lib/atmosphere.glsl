@@ -196,10 +196,32 @@ GLSL_FUNCTION vec2 multipleArgument(vec2 size, vec2 uv) {
 
 GLSL_CONST vec3 kLandColour = vec3(1.0f, 1.03f, 0.72f);  // of the land in the mean, over its albedo
 
+/// What the air at an altitude lies over: land, or the tops of clouds with the land that is seen between them.
+struct AirFloor {
+    float altitude;
+    vec3 land;     // albedo of what is seen between the clouds
+    float clouds;  // albedo of the clouds under an even sky; under a sun of zenith cosine m it is 1.14 - 0.21 m times that (two
+                   // streams, where it is 0.78)
+};
+
+/// Over a closed sheet the sky is half as bright again as over land: much of the light that the sheet sends up comes down again.
+GLSL_FUNCTION AirFloor floorUnder(Atmosphere air, float h) {
+    float over = air.cover.w > 0.0f ? smoothstep(0.9f * air.cover.z, 1.1f * air.cover.z, h) : 0.0f;
+    float clouds = over * air.cover.w, through = 1.0f - clouds;
+    vec3 land = kLandColour * air.ground.w;
+    AirFloor result;
+    result.altitude = min(over * air.cover.z, h);
+    result.land = through * through * land / (vec3(1.0f) - clouds * land);
+    result.clouds = clouds;
+    return result;
+}
+
 /// What one direction adds to a texel of table two: light scattered twice and the share that is scattered on.
 struct TwiceScattered {
-    vec3 light;
-    vec3 share;
+    vec3 light;       // by air and land
+    vec3 share;       // the same of an even light
+    vec3 cloudLight;  // by clouds below
+    vec3 cloudShare;
 };
 
 GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D transmittance, vec2 size, float h, float mu,
@@ -207,8 +229,11 @@ GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D trans
     TwiceScattered sum;
     sum.light = vec3(0.0f);
     sum.share = vec3(0.0f);
-    float toGround = distanceInward(h, mu, 0.0f);
-    float reach = toGround >= 0.0f ? toGround : distanceOutward(h, mu, kAirTop);
+    sum.cloudLight = vec3(0.0f);
+    sum.cloudShare = vec3(0.0f);
+    AirFloor under = floorUnder(air, h);
+    float toFloor = distanceInward(h, mu, under.altitude);
+    float reach = toFloor >= 0.0f ? toFloor : distanceOutward(h, mu, kAirTop);
     vec3 through = vec3(1.0f);
     float start = 0.0f;
     for (int i = 0; i < 20; ++i) {
@@ -227,20 +252,25 @@ GLSL_FUNCTION TwiceScattered twiceScatteredAlong(Atmosphere air, sampler2D trans
         through *= stepThrough;
         start = end;
     }
-    if (toGround >= 0.0f) {
-        float muHere = zenithCosineAlong(h, muLight, nu, toGround, 0.0f);
-        vec3 onGround = lightThroughAir(transmittance, size, 0.0f, muHere, 0.00465f) * max(muHere, 0.0f);
-        sum.light += through * onGround * kLandColour * air.ground.w / kAirPi;
-        sum.share += through * kLandColour * air.ground.w;  // land under an even psi sends back this share of it
+    if (toFloor >= 0.0f) {
+        float muHere = zenithCosineAlong(h, muLight, nu, toFloor, under.altitude);
+        vec3 onFloor = lightThroughAir(transmittance, size, under.altitude, muHere, 0.00465f) * max(muHere, 0.0f);
+        sum.light += through * onFloor * under.land / kAirPi;
+        sum.share += through * under.land;  // a plane under an even psi sends back this share of it
+        sum.cloudLight = through * onFloor * under.clouds * (1.14f - 0.21f * muHere) / kAirPi;
+        sum.cloudShare = through * under.clouds;
     }
     return sum;
 }
 
-/// psi at height h under a light of irradiance 1 whose zenith angle has the cosine muLight: one texel of table two, the
-/// mean over n x n directions. They stand closer near the horizontal, where in deep twilight all light comes from.
-GLSL_FUNCTION vec3 multipleExact(Atmosphere air, sampler2D transmittance, vec2 size, float h, float muLight, int n) {
+/// psi at height h under a light of irradiance 1 whose zenith angle has the cosine muLight, and in w the share of it that comes from
+/// clouds below: one texel of table two, the mean over n x n directions. They stand closer near the horizontal, where in deep
+/// twilight all light comes from.
+GLSL_FUNCTION vec4 multipleExact(Atmosphere air, sampler2D transmittance, vec2 size, float h, float muLight, int n) {
     vec3 light = vec3(0.0f);
     vec3 share = vec3(0.0f);
+    vec3 cloudLight = vec3(0.0f);
+    vec3 cloudShare = vec3(0.0f);
     float sinLight = sqrt(max(1.0f - muLight * muLight, 0.0f));
     for (int i = 0; i < n * n; ++i) {
         float x = 2.0f * (float(i / n) + 0.5f) / float(n) - 1.0f;
@@ -251,12 +281,17 @@ GLSL_FUNCTION vec3 multipleExact(Atmosphere air, sampler2D transmittance, vec2 s
         TwiceScattered one = twiceScatteredAlong(air, transmittance, size, h, mu, muLight, nu);
         light += one.light * weight;
         share += one.share * weight;
+        cloudLight += one.cloudLight * weight;
+        cloudShare += one.cloudShare * weight;
     }
-    return light / max(vec3(1.0f) - share, vec3(0.05f));
+    // What clouds send up meets air, never clouds again; of what the air then turns, they get their share.
+    vec3 even = (light + share * cloudLight) / max(vec3(1.0f) - share * (vec3(1.0f) + cloudShare), vec3(0.05f));
+    vec3 up = cloudLight + cloudShare * even;
+    return vec4(even + up, up.y / max(even.y + up.y, 1e-20f));
 }
 
-GLSL_FUNCTION vec3 multipleScattering(sampler2D table, vec2 size, float h, float muLight) {
-    return vec3(textureLod(table, multipleCoordinate(size, clamp(h, 0.0f, kAirTop), muLight), 0.0f));
+GLSL_FUNCTION vec4 multipleScattering(sampler2D table, vec2 size, float h, float muLight) {
+    return textureLod(table, multipleCoordinate(size, clamp(h, 0.0f, kAirTop), muLight), 0.0f);
 }
 
 GLSL_CONST float kMultipleSize = 32.0f;
@@ -278,6 +313,10 @@ GLSL_CONST float kAgainLobe = 0.4f;
 GLSL_CONST float kLevelMore = 1.14f;
 GLSL_CONST float kUprightLess = 0.38f;
 
+// What clouds below send up comes from all of the lower half, so that its mean cosine to the zenith is a half; haze turns it little: to first
+// order, with a mean cosine of 0.62, three times that, times a half.
+GLSL_CONST float kHazeUpward = 0.93f;
+
 /// Share of the altitude h that counts as under the clouds; inside them one sees cloud, no air.
 GLSL_FUNCTION float underClouds(Atmosphere air, float h) { return 1.0f - smoothstep(air.cover.x, 1.3f * air.cover.x + 1.0f, h); }
 
@@ -294,10 +333,11 @@ GLSL_FUNCTION vec3 scatteredOnce(AirAt here, sampler2D transmittance, vec2 size,
 /// clouds the direct light is dimmed, and the astray light is that of the clouds' grey undersides and the land.
 GLSL_FUNCTION vec3 sourceAt(Atmosphere air, sampler2D transmittance, vec2 size, sampler2D multiple, vec2 multipleSize,
                             AirAt here, float h, float mu, float muLight, float nu) {
-    vec3 psi = multipleScattering(multiple, multipleSize, h, muLight);
+    vec4 psi = multipleScattering(multiple, multipleSize, h, muLight);
+    float upward = 1.0f - kHazeUpward * psi.w * mu;
     float again = mix(1.0f, 4.0f * kAirPi * lobePhase(nu, kAgainLobe), kAgainShare);
     float level = kLevelMore - kUprightLess * max(mu, 0.0f);
-    vec3 open = psi * (here.rayleigh + here.haze * again) * level;
+    vec3 open = vec3(psi) * (here.rayleigh + here.haze * again * upward) * level;
     vec3 under = vec3(air.under) * (here.rayleigh + here.haze);
     return scatteredOnce(here, transmittance, size, h, muLight, nu) * directShare(air, h) +
            mix(open, under, vec3(underClouds(air, h) * air.under.w));

@@ -48,6 +48,7 @@ struct CloudSample {
     float wide;
     float above;
     float below;
+    float core;
 };
 
 GLSL_FUNCTION CloudSample noCloud() {
@@ -58,6 +59,7 @@ GLSL_FUNCTION CloudSample noCloud() {
     none.wide = 0.0f;
     none.above = 0.0f;
     none.below = 0.0f;
+    none.core = 0.0f;
     return none;
 }
 
@@ -256,13 +258,14 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     result.depth = full * softDepth(inside, softFace + kSoftFace * blur);
     // What leaves through its sides its neighbours catch: the more, the more of the sky they cover.
     result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x / sqrt(sqrt(sqrt(max(1.0f - towers.cover, 0.02f))));
+    result.core = full * mix(0.55f, 1.1f, above / thickness);
     float crease = 0.196f * carve + 0.508f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * softDepth(max(e.high - above - carve, 0.0f), softFace) + crease);
     result.below = full * (0.8f * softDepth(max(above - e.low, 0.0f), softFace) + crease);
 
     float floorHeight = min(45.0f, 0.1f * thickness);
     float floorSoft = clamp((above - e.low - 0.27f * floorHeight * (1.0f + plane.w)) / floorHeight, 0.0f, 1.0f);
-    result.extinction = edge * floorSoft * full * mix(0.55f, 1.1f, above / thickness);
+    result.extinction = edge * floorSoft * result.core;
     return result;
 }
 
@@ -354,6 +357,7 @@ GLSL_FUNCTION CloudSample anvilSample(vec3 p, LayerColumn c, LayerShape s, sampl
     result.wide = ice * 2.0f * max(margin, 0.0f) * s.body.x;
     result.above = 0.8f * ice * max(high - above, 0.0f);
     result.below = 0.8f * ice * max(above - low, 0.0f);
+    result.core = ice;
     result.extinction = edge * ice;
     return result;
 }
@@ -368,6 +372,7 @@ GLSL_FUNCTION CloudSample together(CloudSample a, CloudSample b) {
     sum.wide = max(a.wide, b.wide);
     sum.above = mix(a.above, b.above, share);
     sum.below = mix(a.below, b.below, share);
+    sum.core = mix(a.core, b.core, share);
     sum.extinction = a.extinction + b.extinction;
     return sum;
 }

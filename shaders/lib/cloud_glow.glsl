@@ -17,9 +17,6 @@
 
 const int kGlowSide = 128;
 
-/// Share of the extinction that is left when turns are even.
-float reducedShare() { return 1.0 - clouds.light.x; }
-
 /// m between two columns.
 float glowWidth() { return clouds.depthPlaces[0].w / float(kGlowSide); }
 

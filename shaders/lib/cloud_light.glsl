@@ -7,15 +7,15 @@
 //   - Scattered once: the phase function times exp(-depth). It makes the silver rim.
 //   - Scattered forward, again and again: a lobe about the light's way that widens with the depth. It makes thin layers bright on
 //     their far side: half of what one sees of altocumulus under the sun.
-//   - Scattered a few times: nearly even, through a cloud that looks thinner the less the turns count: an octave after
-//     Wrenninge (2013). The glow holds them too.
-//   - Scattered many times: it has forgotten where it came from and diffuses. Between two faces that absorb nothing the
-//     flux is the same everywhere, and the mean radiance falls evenly from the lit face to the dark one: two streams. That is a
-//     slab. A cloud as wide as it is deep loses light through its sides, the sooner the narrower it is; and near a face it
-//     leaks out. Around the camera that is solved on a grid instead, the glow (lib/cloud_glow.glsl), and the sample only puts right
-//     what the grid is too coarse for.
-// How much of each, and how fast what falls off: fitted to the path tracer (docs/clouds.md, The reference). All phase functions
-// hold the 1 / (4 pi), and no term is clamped from below.
+//   - Scattered a few times: a broad lobe near the lit face.
+//   - Scattered many times, the glow: it has forgotten where it came from and diffuses. By similarity (van de Hulst 1980) that is even
+//     scattering by the share s = 1 - m of the extinction, m the mean cosine of the phase function. Around the camera it is solved on a
+//     grid (lib/cloud_glow.glsl); beyond, closed forms of two streams do: a slab between two faces that absorb nothing, a wall.
+//     What turns toward the eye is the mean radiance and, since turns are small, more of what comes along the eye's ray: m times three
+//     times the flux along it. The flux is the slope of the mean over 3 s, so to first order that is the mean radiance m / s optical
+//     depths farther on along the ray, where the glow is asked for.
+// In slabs that is within a tenth of the path tracer with no constant fitted. The rest, what a grid and a lobe cannot know, is: the constants
+// below, to the path tracer's pictures (docs/clouds.md, The reference). All phase functions hold the 1 / (4 pi), and no term is clamped from below.
 #ifndef LUFTPOST_CLOUD_LIGHT_GLSL
 #define LUFTPOST_CLOUD_LIGHT_GLSL
 #include "shaders/shared/language.glsl.h"
@@ -42,86 +42,99 @@ GLSL_FUNCTION float cloudPhase(float cosine, float g) {
 // Mean cosine of cloudPhase.
 GLSL_FUNCTION float meanCosine(float g) { return (1.0f - kBackwardShare) * g + kBackwardShare * kBackward; }
 
+// Optical depths farther on along the eye's ray at which the glow says what is scattered toward the eye.
+GLSL_FUNCTION float glowAhead(float g) {
+    float m = max(meanCosine(g), 0.0f);
+    return m / (1.0f - m);
+}
+
 // Share of a flux that gets through optical depth t of a slab that absorbs nothing; `s`: 1 less the mean cosine.
 GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s * t); }
 
-// 4 pi times the mean radiance in such a slab, over the flux that falls on it: optical depth `front` below the lit face,
-// `behind` before the other one. 2 where there is no slab, 4 under the face of a thick one.
-GLSL_FUNCTION float meanInside(float front, float behind, float s) { return (2.0f + 3.0f * s * behind) * diffused(front + behind, s); }
+GLSL_CONST float kForward = 1.7f;
+GLSL_CONST float kForwardTurns = 0.26f;  // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kForwardFade = 1.296f;  // per depth of even turns
+GLSL_CONST float kFew = 0.264f;
+GLSL_CONST float kFewLobe = 0.374f;  // asymmetry
+GLSL_CONST float kFewBack = 0.5f;    // of what still goes forward, how much is turned back
+GLSL_CONST float kFewFade = 2.0f;
+GLSL_CONST float kThinLess = 0.35f;  // a thin rim has less light than its parts would have within a cloud: by its transmittance
 
-GLSL_CONST float kForward = 1.876f;
-GLSL_CONST float kForwardTurns = 0.495f; // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kFewTurns = 1.15f;
-GLSL_CONST float kFewLobe = 0.063f;      // asymmetry
-GLSL_CONST float kFewFade = 0.248f;
-GLSL_CONST float kFewThick = 0.89f;    // power of what does not get through a slab
-GLSL_CONST float kManyTurns = 0.517f;
-GLSL_CONST float kManyFront = 0.20f;   // light comes in on other ways than the straight one: the depth of the face counts less
-GLSL_CONST float kManyFresh = 0.40f;   // light at a lit face that has yet to be scattered
-GLSL_CONST float kManySides = 9.5f;   // loss through the sides, by depth over width
-GLSL_CONST float kManyLeakFade = 1.29f; // near a face that is not lit
-GLSL_CONST float kManyThick = 0.93f;   // it takes a cloud to scatter many times: of its depth or width, whichever is less,
-GLSL_CONST float kManyPower = 1.62f;   // and the power of what does not get through
-GLSL_CONST float kRim = 0.235f;        // near any face light that was scattered leaks out: so much of it at the face,
-GLSL_CONST float kRimFade = 1.76f;      // and how fast that ends
+// Of the glow's radiance and, for a sky, of what is above and below; theory has 1 for the three.
+GLSL_CONST float kGlow = 1.21f;
+GLSL_CONST float kGlowAbove = 1.244f;
+GLSL_CONST float kGlowBelow = 0.948f;
 
-// With the glow in place of the last of them:
-GLSL_CONST float kGlow = 1.781f;
-GLSL_CONST float kGlowFade = 0.049f;   // a grid lets too much through to the far side: less of it, per depth of even turns toward the light
-GLSL_CONST float kGlowLeak = 0.155f;    // share of a turn that is lost at a cloud's edge, through what is finer than the grid
-GLSL_CONST float kBeamKnown = 0.613f;  // what the glow's grid knows of the beam is taken out,
-GLSL_CONST float kBeamFade = 1.038f;    // and what the sample knows of it put in
-GLSL_CONST float kGlowAhead = 1.888f;   // optical depths farther on along the eye's ray: what turns toward the eye comes from there
-GLSL_CONST float kSkyAhead = 1.972f;
-GLSL_CONST float kGlowAbove = 1.763f;
-GLSL_CONST float kGlowBelow = 0.563f;
+// A grid smears walls, not sheets; the more so the narrower a cloud is for its height:
+GLSL_CONST float kWallSheet = 0.8f;
+GLSL_CONST float kWallMore = 0.615f;  // so much more light there is,
+GLSL_CONST float kGlowFade = 0.143f;  // less of it on the far side, per depth of even turns toward the light,
+GLSL_CONST float kEdge = 0.109f;      // and so much less at a face, through what is finer than the grid,
+GLSL_CONST float kEdgeFade = 0.355f;  // where it ends that fast per optical depth
 
-GLSL_CONST float kFromAbove = 1.774f;
-GLSL_CONST float kFromBelow = 1.257f;
+// The closed forms:
+GLSL_CONST float kSheet = 2.0f;     // how much sooner than by its shape a cloud counts as a sheet that is lit from above
+GLSL_CONST float kSides = 2.129f;   // loss through the sides, by depth over width
+GLSL_CONST float kSkySides = 0.9f;  // of the sky a narrow cloud gets a half, wherever in it
+GLSL_CONST float kRim = 0.42f;      // near any face light leaks out: so much of it at the face,
+GLSL_CONST float kRimFade = 1.76f;  // and how fast that ends
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
 // beam and is not taken out.
 GLSL_FUNCTION float beamBehind(float depth) { return exp(-0.35f * depth); }
 
-// Of a light at optical depth `toLight`: what is scattered once, and forward again and again. `s`: 1 less the mean cosine.
-GLSL_FUNCTION float scatteredForward(float cosine, float g, float toLight, float s) {
+// Mean radiance per unit of irradiance of a beam whose cosine to the face of a slab is m, `front` below that face of a slab `all` deep (both
+// in depth of even turns): two streams without absorption, their source what turns out of the beam, no light from without (Marshak).
+GLSL_FUNCTION float slabGlow(float front, float all, float m) {
+    float low = exp(-all / m);
+    float flux = (2.0f * m + 3.0f * m * m + low * (2.0f * m - 3.0f * m * m)) / (4.0f + 3.0f * all);
+    return kIsotropic * max(3.0f * m * m * (1.0f - exp(-front / m)) + 2.0f * m - 2.0f * flux - 3.0f * flux * front, 0.0f);
+}
+
+// The same of a sky of 1 on one side of it.
+GLSL_FUNCTION float slabSkyGlow(float front, float all) { return 1.0f - (2.0f + 3.0f * front) / (4.0f + 3.0f * all); }
+
+// The glow (lib/cloud_glow.glsl) where no grid has it: x: of the beam; y: of a sky of 1 above. A cloud is a slab that is lit from above,
+// a wall that faces the light, or something between by height and width; and light leaks out through its sides and near its faces. Optical depths: `toLight`;
+// `above`, `below`: of the cloud over and under the point; `wide`: of the cloud in the plane; `depth`: below the nearest face. `up`: sine of
+// the light's elevation; `s`: 1 less the mean cosine.
+GLSL_FUNCTION vec2 closedGlow(float toLight, float above, float below, float wide, float depth, float up, float s) {
+    float height = above + below, shape = kSheet * wide * up / (height * sqrt(1.0f - min(up * up, 0.99f)) + 0.1f);
+    float sheet = shape * shape / (1.0f + shape * shape);
+    float wall = slabGlow(s * min(toLight, wide), s * wide, 1.0f);
+    float slab = slabGlow(s * above, s * height, max(up, 0.1f));
+    float narrow = kSides * toLight / (wide + 2.0f);
+    float kept = (1.0f - kRim * exp(-kRimFade * s * depth)) / (1.0f + narrow * narrow);
+    float sides = kSkySides / (kSkySides + s * wide);
+    return vec2(mix(wall, slab, sheet) * kept, mix(slabSkyGlow(s * above, s * height), 0.5f, sides));
+}
+
+// How far a cloud of this optical height and width is from a sheet, 0..1: a grid smears its walls.
+GLSL_FUNCTION float narrowness(float height, float wide) {
+    float shape = kWallSheet * wide / (height + 0.1f);
+    return 1.0f / (1.0f + shape * shape);
+}
+
+// What a grid's glow of the beam is multiplied by.
+GLSL_FUNCTION float gridContrast(float toLight, float depth, float narrow, float up, float s) {
+    return (1.0f + kWallMore * narrow) * (1.0f - kEdge * narrow * exp(-kEdgeFade * depth)) / (1.0f + kGlowFade * narrow * s * toLight * sqrt(up));
+}
+
+// Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point where its glow is `glow`.
+// `cosine`: between the eye's ray and the way to the light.
+GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float glow) {
+    float s = 1.0f - meanCosine(g);
     float beam = exp(-toLight), met = 1.0f - beam;
     float lobe = henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
-    return cloudPhase(cosine, g) * beam + kForward * met * met * exp(-s * toLight) * lobe;
-}
-
-// Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point
-// `depth` (optical) below the nearest face of a cloud `along` deep the light's way and `wide` across it (optical, both). `powder` darkens thin edges
-// beyond what physics does (0: none).
-GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float depth, float along, float wide, float powder) {
-    float s = 1.0f - meanCosine(g);
-    float thin = min(along, wide), kept = 1.0f - kRim * exp(-kRimFade * s * depth);
-    float few = kFewTurns * kept * pow(1.0f - diffused(thin, s), kFewThick) * henyeyGreenstein(cosine, kFewLobe) * exp(-kFewFade * s * toLight);
-    float narrow = kManySides * toLight / (wide + 2.0f);
-    float sides = 1.0f / (1.0f + narrow * narrow);
-    float leak = 1.0f - (1.0f - exp(-s * toLight)) * exp(-kManyLeakFade * s * depth);
-    float inside = meanInside(kManyFront * toLight, max(along - toLight, 0.0f), s) - kManyFresh * exp(-s * toLight);
-    float many = kManyTurns * kept * pow(1.0f - diffused(kManyThick * thin, s), kManyPower) * kIsotropic * sides * leak * max(inside, 0.0f);
-    return (scatteredForward(cosine, g, toLight, s) + few + many) * (1.0f - powder * exp(-2.0f * depth));
-}
-
-// litByBeam where the glow of the beam is known (cloud_scene's glowAt).
-GLSL_FUNCTION float litByGlow(float cosine, float g, float toLight, float glow) {
-    float s = 1.0f - meanCosine(g);
-    float many = kGlow / (1.0f + kGlowFade * s * toLight) * max(glow + kBeamKnown * kIsotropic * exp(-kBeamFade * s * toLight), 0.0f);
-    return scatteredForward(cosine, g, toLight, s) + many;
+    float forward = cloudPhase(cosine, g) * beam + kForward * met * met * exp(-kForwardFade * s * toLight) * lobe;
+    float few = kFew * met * exp(-kFewFade * s * toLight) * (henyeyGreenstein(cosine, kFewLobe) + kFewBack * henyeyGreenstein(cosine, kBackward));
+    return forward + few + kGlow * glow;
 }
 
 // Of diffuse light, the same: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere, as a level plane
 // weighs them; `sky` is the glow of a sky of 1.
-GLSL_FUNCTION vec3 litBySkyGlow(vec3 fromAbove, vec3 fromBelow, float sky) {
+GLSL_FUNCTION vec3 litBySky(vec3 fromAbove, vec3 fromBelow, float sky) {
     return kGlowAbove * sky * fromAbove + kGlowBelow * (1.0f - sky) * fromBelow;
-}
-
-// The same beyond the glow.
-GLSL_FUNCTION vec3 litByDiffuse(vec3 fromAbove, vec3 fromBelow, float above, float below, float g) {
-    float s = 1.0f - meanCosine(g);
-    return 0.25f * (kFromAbove * fromAbove * meanInside(above, below, s) + kFromBelow * fromBelow * meanInside(below, above, s));
 }
 
 GLSL_END

@@ -64,32 +64,48 @@ struct LightThere {
     LayersAbove overhead;
 };
 
+/// What light the land has below a place, over its mean: as much of it lies in the shade as of four points around.
+float landBelow(vec3 p, vec3 toward) {
+    if (clouds.depthHeights.w < 0.5) return 1.0;
+    float ground = sky.air.fog.z, away = 0.7 * (p.y - ground);
+    float lit = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 side = vec2((i & 1) == 0 ? away : -away, (i & 2) == 0 ? away : -away) * 0.7071;
+        vec3 q = vec3(p.x + side.x, ground, p.z + side.y);
+        vec2 onPlane = onDepthPlane(q, toward);
+        int grid = gridOver(onPlane);
+        lit += 0.25 * (grid < 2 ? mix(sky.land.x, sky.land.y, beamBehind(griddedDepth(grid, q, onPlane))) : 1.0);
+    }
+    return lit;
+}
+
 LightThere lightThere(vec3 p, vec3 direction, KeyLight key) {
     LightThere there;
     there.toward = inFlatFrame(key.toward, direction, p);
     vec2 size = vec2(textureSize(skyTransmittanceTable, 0));
     there.beam = key.above * lightThroughAir(skyTransmittanceTable, size, p.y, there.toward.y, key.radius);
     there.around = aroundAt(p.y);
+    there.around.below *= landBelow(p, there.toward);
     there.overhead = layersAbove(p, there.toward);
     return there;
 }
 
-const float kThinnest = 0.015;  // 1/m: in thinner cloud the glow is asked for as near as in such
+const float kThinnest = 0.005;  // 1/m: in thinner cloud the glow is asked for as near as in such
 
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
     vec3 toward = there.toward;
     float toLight = depthToward(p, toward, first, lod) + there.overhead.sheets;
-    float free = 1.0 / max(here.extinction, kThinnest);
+    float g = clouds.light.x, s = reducedShare(), ahead = glowAhead(g);
     float known = glowKnown(p);
-    float sun = glowAt(p + direction * (kGlowAhead * free)).x, sky = glowAt(p + direction * (kSkyAhead * free)).y;
-    // The light's way through the cloud is its height when it comes from above, its width when it comes along the plane.
-    float up = abs(toward.y), height = here.above + here.below;
-    float far = litByBeam(cosine, clouds.light.x, toLight, here.depth, mix(here.wide, height, up), mix(height, here.wide, up), clouds.light.y);
-    float near = litByGlow(cosine, clouds.light.x, toLight, sun) * (1.0 - clouds.light.y * exp(-2.0 * here.depth));
-    vec3 diffuseFar = litByDiffuse(there.around.above, there.around.below, here.above + 0.5 * there.overhead.all, here.below, clouds.light.x);
-    vec3 diffuseNear = litBySkyGlow(there.around.above, there.around.below, sky * diffused(0.5 * there.overhead.sheets, 1.0 - clouds.light.x));
-    return there.beam * mix(far, near, known) + mix(diffuseFar, diffuseNear, known);
+    float deeper = clamp(-ahead * direction.y, -here.above, here.below);
+    float up = abs(toward.y), narrow = narrowness(here.above + here.below, here.wide);
+    vec2 grid = glowAt(p + direction * (ahead / max(here.core, kThinnest)));
+    vec2 closed = closedGlow(max(toLight - ahead * cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
+    closed.y *= diffused(0.5 * there.overhead.all, s);
+    vec2 glow = mix(closed, grid * vec2(gridContrast(toLight, here.depth, narrow, up, s), diffused(0.5 * there.overhead.sheets, s)), known);
+    return there.beam * (litByBeam(cosine, g, toLight, glow.x) * (1.0 - clouds.light.y * exp(-2.0 * here.depth))) +
+           litBySky(there.around.above, there.around.below, glow.y);
 }
 
 /// The sheets of fibres, a bit each.
@@ -115,8 +131,10 @@ MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight ke
     LightThere there = lightThere(place, direction, key);
     float toLight = 0.5 * straight / max(abs(there.toward.y), 0.1);
     float depth = share * straight / slope;
-    vec3 light = there.beam * litByBeam(dot(direction, key.toward), kIceShare * clouds.light.x, toLight, straight, 2.0 * straight, 1.0e3, 0.0) +
-                 litByDiffuse(there.around.above, there.around.below, 0.0, 0.0, clouds.light.x);
+    float g = kIceShare * clouds.light.x, s = 1.0 - meanCosine(g);
+    vec2 glow = vec2(slabGlow(0.5 * s * straight, s * straight, max(abs(there.toward.y), 0.1)), 0.5);
+    vec3 light = there.beam * litByBeam(dot(direction, key.toward), g, toLight, glow.x) +
+                 litBySky(there.around.above, there.around.below, glow.y);
     MarchResult result;
     result.through = exp(-depth);
     result.light = light * (1.0 - result.through);
@@ -362,6 +380,7 @@ MarchResult marchBodies(vec3 direction, float end, KeyLight key) {
         on = sum.ray.through > kOpaque && walk.t < end && walk.left > 0;
     } while (on);
     MarchResult ray = sum.ray;
+    ray.light *= 1.0 - kThinLess * ray.through;
     ray.distance = sum.weights > 1e-5 ? ray.distance / sum.weights : min(end, clouds.step.z);
     if (ray.through <= kOpaque) {
         ray.light /= 1.0 - ray.through;

@@ -6,6 +6,7 @@
 #ifndef LUFTPOST_CLOUD_SCENE_GLSL
 #define LUFTPOST_CLOUD_SCENE_GLSL
 #include "shaders/lib/cloud.glsl"
+#include "shaders/lib/cloud_light.glsl"
 
 layout(binding = 10) uniform sampler2DArray cloudMap;    // ranks, [level * 4 + layer]
 layout(binding = 11) uniform sampler3D cloudShapeNoise;
@@ -76,6 +77,7 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     float whole = clamp(0.5 * column.water * clouds.shapes[layer].look.w * (column.top - column.base), 8.0, 40.0);
     near.above = mix(near.above, whole * (1.0 - h), coarse);
     near.below = mix(near.below, whole * h, coarse);
+    near.core = mix(near.core, column.water * clouds.shapes[layer].look.w, coarse);
     return near;
 }
 
@@ -182,6 +184,9 @@ float griddedDepth(int grid, vec3 p, vec2 onPlane) {
     return p.y < clouds.depthHeights.y ? textureLod(cloudDepthGrid, vec3((onPlane + place.xy) * place.z, slice), 0.0).r : 0.0;
 }
 
+/// Share of the extinction that is left when turns are even.
+float reducedShare() { return 1.0 - meanCosine(clouds.light.x); }
+
 /// m from slice to slice of the glow.
 float glowStep() { return (clouds.depthHeights.y - clouds.depthHeights.x) / float(kGlowSlices); }
 
@@ -192,15 +197,13 @@ vec3 glowUnit(vec3 p) {
     return vec3((p.xz + place.xy) * place.z, clamp(slice, 0.5, float(kGlowSlices) - 0.5) / float(kGlowSlices));
 }
 
-/// The glow (lib/cloud_glow.glsl) at a place: x: of the light's beam, per unit of irradiance, less kBeamKnown of what the beam brings there; y: of a
-/// sky of 1 above.
+/// The glow (lib/cloud_glow.glsl) at a place: x: of the light's beam, per unit of irradiance; y: of a sky of 1 above.
 vec2 glowAt(vec3 p) { return textureLod(cloudGlow, glowUnit(p), 0.0).rg; }
 
-/// How much of a place's light the glow knows: none beyond its columns, nor where clouds stand so high that slices are too thick for a base
-/// and what is above it.
+/// How much of a place's light the glow knows: none beyond its columns.
 float glowKnown(vec3 p) {
     float near = 1.0 - smoothstep(0.40, 0.46, max(abs(p.x), abs(p.z)) * clouds.depthPlaces[0].z);
-    return clouds.depthHeights.w * near * (1.0 - smoothstep(kGlowFine, kGlowCoarse, glowStep()));
+    return clouds.depthHeights.w * near;
 }
 
 /// m of a way to the light between two slices of the grids: the lower the light, the longer.

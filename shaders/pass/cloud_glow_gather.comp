@@ -65,5 +65,5 @@ void main() {
             ++way;
         } while (way < kWays);
     }
-    imageStore(glow, at, vec4(found.x - kBeamKnown * kIsotropic * cell.w, found.y, 0.0, 0.0));
+    imageStore(glow, at, vec4(found, 0.0, 0.0));
 }

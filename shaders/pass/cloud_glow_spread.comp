@@ -35,17 +35,13 @@ void main() {
         vec4 next = imageLoad(glowCells, ivec3(column, min(k + 1, kGlowSlices - 1)));
         float above = top ? outward(here.z, high) : conductance(here.z, next.z, high);
         float sum = below + above;
-        float least = here.z, most = here.z;
         vec2 comes = vec2(here.z * here.w * kIsotropic, top ? above : 0.0);
         for (int side = 0; side < 4; ++side) {
             vec4 there = imageLoad(glowCells, ivec3(around[side], k));
             float through = conductance(here.z, there.z, wide);
             sum += through;
             comes += through * there.xy;
-            least = min(least, there.z);
-            most = max(most, there.z);
         }
-        sum += kGlowLeak * (1.0 - least / max(most, 1e-6)) * here.z;  // at a cloud's edge: through what is finer than the grid
         float pivot = 1.0 / (sum - passed * shareBelow);
         restBelow = (comes + passed * restBelow) * pivot;
         shareBelow = top ? 0.0 : above * pivot;

@@ -8,7 +8,7 @@ void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     vec2 size = vec2(imageSize(table));
     vec2 argument = multipleArgument(size, (vec2(texel) + 0.5) / size);
-    vec3 psi = multipleExact(sky.air, skyTransmittanceTable, vec2(textureSize(skyTransmittanceTable, 0)), argument.x,
+    vec4 psi = multipleExact(sky.air, skyTransmittanceTable, vec2(textureSize(skyTransmittanceTable, 0)), argument.x,
                              argument.y, 8);
-    imageStore(table, texel, vec4(psi, 1.0));
+    imageStore(table, texel, psi);
 }

@@ -11,7 +11,7 @@ struct Atmosphere {
     vec4 haze;      // rgb: extinction of haze at its base; w: scale height
     vec4 ozone;     // rgb: absorption at 25 km, falling to 0 at 10 and 40 km; w: albedo of fog
     vec4 fog;       // x: extinction at the base; y: scale height; z: altitude of the base of haze and fog; w: albedo of haze
-    vec4 cover;     // clouds above: x: altitude below which they dim; y: share of direct light that they leave
+    vec4 cover;     // x: altitude below which clouds above dim; y: share of direct light that they leave; z: altitude of the tops of clouds, w: their albedo, cover counted in
     vec4 under;     // rgb: mean radiance over all directions of the light under them, 1/sr; w: their share of the sky
     vec4 ground;    // rgb: mean radiance of the land that the sky meets below the horizon; w: albedo of the land
 };

@@ -6,10 +6,6 @@
 #include "shaders/shared/language.glsl.h"
 GLSL_BEGIN
 
-// m from slice to slice of the glow (lib/cloud_glow.glsl): from the first on it gives way, from the second on it says nothing.
-GLSL_CONST float kGlowFine = 100.0f;
-GLSL_CONST float kGlowCoarse = 200.0f;
-
 GLSL_CONST int kCloudLayers = 4;
 
 // One layer over one point.

@@ -21,6 +21,7 @@ UNIFORM_BLOCK(SkyBlock, 9) {
     SkyLights lights;
     vec4 skyCamera;           // x: altitude in m when the tables were made; y: 1: the moon is in them; z: 1: stars show
     vec4 airglow;             // rgb: radiance at the zenith above the air
+    vec4 land;                // x: light on land in the shade of clouds, over its mean under those of the hour; y: the same of sunlit land
     mat4 celestialFromWorld;  // rotation to J2000
 } BLOCK_NAME(sky);
 

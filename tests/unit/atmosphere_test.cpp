@@ -252,6 +252,51 @@ TEST(Atmosphere, ALevelPlaneSeesLittleOfTheHorizon) {
     EXPECT_LT(before, 0.75);
 }
 
+// Path-traced (sky --reference 200, stratus of tests/image/reference from 3300 m at 10:30, 25 degrees up): 1.5 to 1.6 times the clear sky.
+TEST(Atmosphere, TheSkyOverAClosedSheetIsHalfAsBrightAgain) {
+    sky::AirConditions conditions;
+    conditions.cloudTop = 1400.0;
+    conditions.cloudAlbedo = 0.8;
+    sky::AtmosphereTables const tables{sky::atmosphere(conditions)};
+    for (double const up : {62.0, 30.0, 10.0}) {
+        glm::vec3 const over = tables.skyIrradiance(3300.0, radians(up)) / clearDay().skyIrradiance(3300.0, radians(up));
+        EXPECT_GT(over.z, 1.1f) << up;
+        EXPECT_LT(over.z, 1.8f) << up;
+    }
+    EXPECT_GT(tables.skyIrradiance(3300.0, radians(62.0)).y, 1.4f * clearDay().skyIrradiance(3300.0, radians(62.0)).y);
+    EXPECT_EQ(glsl::floorUnder(tables.air(), 1000.0f).clouds, 0.0f) << "what lies under them sees the land";
+    EXPECT_EQ(glsl::floorUnder(tables.air(), 3300.0f).clouds, 0.8f);
+    EXPECT_EQ(glsl::floorUnder(tables.air(), 3300.0f).altitude, 1400.0f);
+    EXPECT_EQ(glsl::floorUnder(clearDay().air(), 3300.0f).land.x, 0.18f);
+}
+
+TEST(Light, AboveCloudsMoreOfItComesFromBelowAndTheLandIsAsDarkAsUnderThem) {
+    sky::SkyState state;
+    state.sunDirectionWorld = sky::directionWorld(0.0, radians(45.0));
+    state.moonDirectionWorld = sky::directionWorld(1.0, -0.5);
+    auto const clear = sky::skyLight(state, clearDay(), 3000.0, {});
+    auto const over = sky::skyLight(state, clearDay(), 3000.0, {.landCover = 1.0, .cloudTop = 1400.0, .cloudAlbedo = 0.8});
+    auto const below = sky::skyLight(state, clearDay(), 3000.0, {.cover = 1.0, .landCover = 1.0});
+    EXPECT_GT(over.ground.y, 3.0f * clear.ground.y);
+    EXPECT_NEAR(over.groundRadiance.y, below.groundRadiance.y, 1e-6f);
+    EXPECT_LT(over.groundRadiance.y, 0.5f * clear.groundRadiance.y);
+}
+
+TEST(Light, LandInTheShadeOfCloudsHasTheOpenSkysLightAndWhatTheyLetThrough) {
+    sky::SkyState state;
+    state.moonDirectionWorld = sky::directionWorld(1.0, -0.5);
+    auto const contrast = [&](double sun, double cover) {
+        state.sunDirectionWorld = sky::directionWorld(0.0, radians(sun));
+        sky::AirConditions const conditions{.cover = cover, .landCover = cover};
+        return sky::landContrast(sky::skyLight(state, clearDay(), 300.0, conditions), state, conditions);
+    };
+    EXPECT_NEAR(contrast(60.0, 0.0).y, 1.0f, 1e-6f) << "the mean is sunlit where no cloud is";
+    EXPECT_NEAR(contrast(60.0, 0.0).x, 0.15f, 0.07f) << "of it the sky gives a sixth about noon,";
+    EXPECT_GT(contrast(10.0, 0.0).x, 0.3f) << "and more under a low sun";
+    EXPECT_NEAR(contrast(60.0, 1.0).x, 1.0f, 1e-6f) << "under closed clouds all is shade";
+    EXPECT_GT(contrast(60.0, 0.5).y, 3.0f * contrast(60.0, 0.5).x);
+}
+
 TEST(Atmosphere, TheTableOfWhatIsAroundACloudIsFinestBelow) {
     for (float const h : {0.0f, 300.0f, 1500.0f, 9000.0f, 16000.0f})
         EXPECT_NEAR(glsl::aroundAltitude(glsl::aroundCoordinate(h, 16.0f) * 16.0f - 0.5f, 16.0f), h, 0.01f * h + 0.01f);

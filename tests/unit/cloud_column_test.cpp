@@ -348,31 +348,61 @@ TEST(CloudLight, PhaseFunctionsIntegrateToOne) {
     }
 }
 
+constexpr float kEvenTurns = 0.2f;  // 1 less the mean cosine
+
 TEST(CloudLight, LeavesTheDarkFaceOfASlabAFewthOfTheLitOneAndOfANarrowCloudLess) {
-    auto const lit = [](float toLight, float wide) { return glsl::litByBeam(0.0f, 0.85f, toLight, 6.0f, 60.0f, wide, 0.0f); };
-    EXPECT_GT(lit(0.5f, 600.0f) / lit(55.0f, 600.0f), 4.0f);
-    EXPECT_LT(lit(0.5f, 600.0f) / lit(55.0f, 600.0f), 16.0f);
+    auto const lit = [](float toLight, float wide) {
+        return glsl::litByBeam(0.0f, 0.85f, toLight, glsl::closedGlow(toLight, toLight, 60.0f - toLight, wide, 6.0f, 1.0f, kEvenTurns).x);
+    };
+    EXPECT_GT(lit(0.5f, 600.0f) / lit(59.5f, 600.0f), 4.0f);
+    EXPECT_LT(lit(0.5f, 600.0f) / lit(59.5f, 600.0f), 16.0f);
     EXPECT_GT(lit(55.0f, 600.0f), 3.0f * lit(55.0f, 60.0f));
-    for (float t = 0.0f; t < 50.0f; t += 5.0f) EXPECT_GT(lit(t + 0.5f, 100.0f), lit(t + 5.5f, 100.0f));
+    // It takes some turns to become even: the most is an even turn below the lit face.
+    for (float t = 10.5f; t < 55.0f; t += 5.0f) EXPECT_GT(lit(t, 100.0f), lit(t + 5.0f, 100.0f));
+    EXPECT_GT(lit(5.5f, 600.0f), lit(0.5f, 600.0f));
 }
 
-TEST(CloudLight, TakesFromTheGlowTheBeamThatTheGridKnowsAndAddsTheSamples) {
-    auto const lit = [](float toLight, float glow) { return glsl::litByGlow(0.0f, 0.85f, toLight, glow); };
-    for (float t = 0.5f; t < 40.0f; t += 4.0f) EXPECT_GT(lit(t, 0.05f), lit(t + 4.0f, 0.05f));  // nearer to the light than the grid thinks
-    EXPECT_NEAR(lit(0.0f, 0.10f) - lit(0.0f, 0.05f), glsl::kGlow * 0.05f, 1e-5f);
-    EXPECT_LT(lit(30.0f, 0.10f) - lit(30.0f, 0.05f), 0.95f * (lit(0.0f, 0.10f) - lit(0.0f, 0.05f)));  // the grid lets too much through to the far side
-    EXPECT_GE(lit(900.0f, -glsl::kBeamKnown * glsl::kIsotropic), 0.0f);  // the grid is in the light, the sample deep in the shade
-    EXPECT_LT(lit(900.0f, -glsl::kBeamKnown * glsl::kIsotropic), 1e-6f);
-    EXPECT_NEAR(glsl::litBySkyGlow(glm::vec3{1.0f}, glm::vec3{9.0f}, 1.0f).x, glsl::kGlowAbove, 1e-6f);
-    EXPECT_NEAR(glsl::litBySkyGlow(glm::vec3{9.0f}, glm::vec3{1.0f}, 0.0f).x, glsl::kGlowBelow, 1e-6f);
+// Of a slab that the light barely grazes the top is lit, of a tower its side.
+TEST(CloudLight, LightsASheetFromAboveAndAWallFromItsSide) {
+    auto const glow = [](float toLight, float above, float wide) { return glsl::closedGlow(toLight, above, 20.0f - above, wide, 3.0f, 0.2f, kEvenTurns).x; };
+    EXPECT_GT(glow(5.0f, 1.0f, 2000.0f), 3.0f * glow(95.0f, 19.0f, 2000.0f));
+    EXPECT_NEAR(glow(5.0f, 1.0f, 20.0f) / glow(5.0f, 19.0f, 20.0f), 1.0f, 0.2f);
+    EXPECT_GT(glow(1.0f, 10.0f, 20.0f), 3.0f * glow(19.0f, 10.0f, 20.0f));
 }
 
-// Between two faces that absorb nothing the mean radiance falls evenly; without a slab it is that of the light that falls in.
-TEST(CloudLight, FallsEvenlyInASlab) {
-    float const s = 0.2f;
-    EXPECT_EQ(glsl::meanInside(0.0f, 0.0f, s), 2.0f);
-    EXPECT_NEAR(glsl::meanInside(0.0f, 1.0e5f, s), 4.0f, 1e-3f);
-    EXPECT_NEAR(glsl::meanInside(10.0f, 10.0f, s), 0.5f * (glsl::meanInside(0.0f, 20.0f, s) + glsl::meanInside(20.0f, 0.0f, s)), 1e-5f);
-    EXPECT_NEAR(glsl::meanInside(20.0f, 0.0f, s), 2.0f * glsl::diffused(20.0f, s), 1e-6f);
+TEST(CloudLight, PutsRightWhatAGridSmears) {
+    auto const contrast = [](float toLight, float depth, float wide) { return glsl::gridContrast(toLight, depth, glsl::narrowness(20.0f, wide), 0.8f, kEvenTurns); };
+    EXPECT_GT(contrast(1.0f, 9.0f, 10.0f), 1.0f);
+    EXPECT_LT(contrast(30.0f, 9.0f, 10.0f), 0.95f * contrast(1.0f, 9.0f, 10.0f)) << "too much gets through to the far side";
+    EXPECT_LT(contrast(1.0f, 0.0f, 10.0f), 0.95f * contrast(1.0f, 9.0f, 10.0f)) << "and too little out at an edge";
+    for (float const toLight : {0.5f, 10.0f, 60.0f}) EXPECT_NEAR(contrast(toLight, 0.5f, 4000.0f), 1.0f, 1e-2f) << "but not of a sheet";
+}
+
+TEST(CloudLight, IsLessTheDeeperTowardTheLightAndInProportionToTheGlow) {
+    auto const lit = [](float toLight, float glow) { return glsl::litByBeam(0.0f, 0.85f, toLight, glow); };
+    for (float t = 4.5f; t < 40.0f; t += 4.0f) EXPECT_GT(lit(t, 0.05f), lit(t + 4.0f, 0.05f));
+    EXPECT_NEAR(lit(3.0f, 0.10f) - lit(3.0f, 0.05f), glsl::kGlow * 0.05f, 1e-5f);
+    EXPECT_LT(lit(900.0f, 0.0f), 1e-6f);
+    EXPECT_NEAR(glsl::litBySky(glm::vec3{1.0f}, glm::vec3{9.0f}, 1.0f).x, glsl::kGlowAbove, 1e-6f);
+    EXPECT_NEAR(glsl::litBySky(glm::vec3{9.0f}, glm::vec3{1.0f}, 0.0f).x, glsl::kGlowBelow, 1e-6f);
+    EXPECT_NEAR(glsl::glowAhead(0.85f), 3.8f, 0.05f);
+    EXPECT_EQ(glsl::glowAhead(0.0f), 0.0f);
+}
+
+// Two streams: what falls on a slab comes out above or below, or straight through; and below where the beam reaches its mean radiance
+// falls evenly. What a sky lights from above and one from below together are 1 everywhere.
+TEST(CloudLight, LosesNothingInASlab) {
+    double const pi = 3.14159265358979;
+    for (float const m : {0.2f, 0.6f, 1.0f})
+        for (float const all : {0.5f, 4.0f, 30.0f}) {
+            double const out = 2.0 * pi * static_cast<double>(glsl::slabGlow(0.0f, all, m) + glsl::slabGlow(all, all, m));
+            EXPECT_NEAR(out + static_cast<double>(m * std::exp(-all / m)), static_cast<double>(m), 1e-5) << m << ' ' << all;
+            for (float const at : {0.0f, 0.3f, 1.0f})
+                EXPECT_NEAR(glsl::slabSkyGlow(at * all, all) + glsl::slabSkyGlow((1.0f - at) * all, all), 1.0f, 1e-5f);
+        }
+    auto const deep = [](float front) { return glsl::slabGlow(front, 30.0f, 0.6f); };
+    EXPECT_NEAR(deep(20.0f), 0.5f * (deep(15.0f) + deep(25.0f)), 1e-6f);
+    EXPECT_EQ(glsl::slabSkyGlow(0.0f, 0.0f), 0.5f);
+    EXPECT_NEAR(glsl::slabSkyGlow(20.0f, 20.0f), 0.5f * glsl::diffused(20.0f / kEvenTurns, kEvenTurns), 1e-6f);
 }
 }  // namespace
