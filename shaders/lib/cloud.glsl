@@ -256,8 +256,9 @@ GLSL_FUNCTION CloudSample bodySample(vec3 p, LayerColumn c, LayerShape s, sample
     inside = max(inside, 0.0f);
     float softFace = max(kSoftFace * soft, 1e-3f);
     result.depth = full * softDepth(inside, softFace + kSoftFace * blur);
-    // What leaves through its sides its neighbours catch: the more, the more of the sky they cover.
-    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x / sqrt(sqrt(sqrt(max(1.0f - towers.cover, 0.02f))));
+    // What leaves through its sides its neighbours catch: the more, the more of the sky they cover. A closed layer has no sides.
+    float square = towers.cover * towers.cover, open = 1.0f - square * square * square * square;
+    result.wide = full * 2.0f * max(margin, 0.0f) * s.body.x / (sqrt(sqrt(sqrt(max(1.0f - towers.cover, 0.02f)))) * max(open, 0.02f));
     result.core = full * mix(0.55f, 1.1f, above / thickness);
     float crease = 0.196f * carve + 0.508f * ripple * eat;  // m, what the billows around stand higher
     result.above = full * (0.8f * softDepth(max(e.high - above - carve, 0.0f), softFace) + crease);

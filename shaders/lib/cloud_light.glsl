@@ -51,24 +51,24 @@ GLSL_FUNCTION float glowAhead(float g) {
 // Share of a flux that gets through optical depth t of a slab that absorbs nothing; `s`: 1 less the mean cosine.
 GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s * t); }
 
-GLSL_CONST float kForward = 1.7f;
+GLSL_CONST float kForward = 1.9f;
 GLSL_CONST float kForwardTurns = 0.26f;  // per optical depth, beyond the two of the first; each widens the lobe by g
 GLSL_CONST float kForwardFade = 1.296f;  // per depth of even turns
 GLSL_CONST float kFew = 0.264f;
 GLSL_CONST float kFewLobe = 0.374f;  // asymmetry
-GLSL_CONST float kFewBack = 0.5f;    // of what still goes forward, how much is turned back
+GLSL_CONST float kFewBack = 0.85f;    // of what still goes forward, how much is turned back
 GLSL_CONST float kFewFade = 2.0f;
-GLSL_CONST float kThinLess = 0.35f;  // a thin rim has less light than its parts would have within a cloud: by its transmittance
+GLSL_CONST float kThinLess = 0.8f;  // a thin rim has less light than its parts would have within a cloud: by its transmittance
 
 // Of the glow's radiance and, for a sky, of what is above and below; theory has 1 for the three.
-GLSL_CONST float kGlow = 1.21f;
+GLSL_CONST float kGlow = 1.225f;
 GLSL_CONST float kGlowAbove = 1.244f;
-GLSL_CONST float kGlowBelow = 0.948f;
+GLSL_CONST float kGlowBelow = 0.92f;
 
-// A grid smears walls, not sheets; the more so the narrower a cloud is for its height:
-GLSL_CONST float kWallSheet = 0.8f;
-GLSL_CONST float kWallMore = 0.615f;  // so much more light there is,
-GLSL_CONST float kGlowFade = 0.143f;  // less of it on the far side, per depth of even turns toward the light,
+// A grid smears the walls of what is narrow:
+GLSL_CONST float kWallWidth = 600.0f;  // m
+GLSL_CONST float kWallMore = 0.75f;  // so much more light there is,
+GLSL_CONST float kGlowFade = 0.25f;  // less of it on the far side, per depth of even turns toward the light,
 GLSL_CONST float kEdge = 0.109f;      // and so much less at a face, through what is finer than the grid,
 GLSL_CONST float kEdgeFade = 0.355f;  // where it ends that fast per optical depth
 
@@ -76,7 +76,7 @@ GLSL_CONST float kEdgeFade = 0.355f;  // where it ends that fast per optical dep
 GLSL_CONST float kSheet = 2.0f;     // how much sooner than by its shape a cloud counts as a sheet that is lit from above
 GLSL_CONST float kSides = 2.129f;   // loss through the sides, by depth over width
 GLSL_CONST float kSkySides = 0.9f;  // of the sky a narrow cloud gets a half, wherever in it
-GLSL_CONST float kRim = 0.42f;      // near any face light leaks out: so much of it at the face,
+GLSL_CONST float kRim = 0.4f;      // near any face light leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.76f;  // and how fast that ends
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
@@ -109,10 +109,10 @@ GLSL_FUNCTION vec2 closedGlow(float toLight, float above, float below, float wid
     return vec2(mix(wall, slab, sheet) * kept, mix(slabSkyGlow(s * above, s * height), 0.5f, sides));
 }
 
-// How far a cloud of this optical height and width is from a sheet, 0..1: a grid smears its walls.
-GLSL_FUNCTION float narrowness(float height, float wide) {
-    float shape = kWallSheet * wide / (height + 0.1f);
-    return 1.0f / (1.0f + shape * shape);
+// How narrow a cloud `width` m wide is for the glow's grid, which smears its walls: 0..1.
+GLSL_FUNCTION float narrowness(float width) {
+    float cells = width * (1.0f / kWallWidth);
+    return 1.0f / (1.0f + cells * cells);
 }
 
 // What a grid's glow of the beam is multiplied by.

@@ -99,7 +99,7 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float c
     float g = clouds.light.x, s = reducedShare(), ahead = glowAhead(g);
     float known = glowKnown(p);
     float deeper = clamp(-ahead * direction.y, -here.above, here.below);
-    float up = abs(toward.y), narrow = narrowness(here.above + here.below, here.wide);
+    float up = abs(toward.y), narrow = narrowness(here.wide / max(here.core, kThinnest));
     vec2 grid = glowAt(p + direction * (ahead / max(here.core, kThinnest)));
     vec2 closed = closedGlow(max(toLight - ahead * cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
     closed.y *= diffused(0.5 * there.overhead.all, s);
