@@ -90,14 +90,18 @@ LightThere lightThere(vec3 p, vec3 direction, KeyLight key) {
     return there;
 }
 
-const float kThinnest = 0.005;  // 1/m: in thinner cloud the glow is asked for as near as in such
+const float kThinnest = 0.005;  // 1/m: in thinner cloud the glow is asked for as near as in such one
+
+// m from slice to slice of the glow: where storms stand so high that slices are thick, what is lower than a few of them is lost in them.
+const float kFineSlices = 80.0, kThickSlices = 160.0;
 
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
     vec3 toward = there.toward;
     float toLight = depthToward(p, toward, first, lod) + there.overhead.sheets;
     float g = clouds.light.x, s = reducedShare(), ahead = glowAhead(g);
-    float known = glowKnown(p);
+    float height = (here.above + here.below) / max(here.core, kThinnest);
+    float known = glowKnown(p) * mix(1.0, smoothstep(2.0, 6.0, height / glowStep()), smoothstep(kFineSlices, kThickSlices, glowStep()));
     float deeper = clamp(-ahead * direction.y, -here.above, here.below);
     float up = abs(toward.y), narrow = narrowness(here.wide / max(here.core, kThinnest));
     vec2 grid = glowAt(p + direction * (ahead / max(here.core, kThinnest)));
