@@ -40,7 +40,7 @@ GLSL_CONST float kDetailPeriod = 512.0f;  // m
 
 // What is found at a point: extinction in 1/m; about how far outside the nearest face it lies, m, below 0 inside; and what the
 // light asks for, as optical depths: how deep it lies below the nearest face, how wide the cloud around it is in the
-// plane, and how much of it stands above and below.
+// plane, and how much of it stands above and below; and the extinction inside the cloud at that height, 1/m, its soft faces left out.
 struct CloudSample {
     float extinction;
     float outside;

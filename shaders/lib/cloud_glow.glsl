@@ -4,9 +4,9 @@
 // PROBLEM. A cloud absorbs nothing, and light leaves it after tens of turns, through whichever side is near: the rims of a cloud are
 // darker than its middle, the gap between two catches light from both. No sample knows that by itself.
 //
-// METHOD. Turns that hardly change the way are not counted: of the extinction there remains the share 1 - g, k, and scattering by it
-// is even (similarity; van de Hulst 1980). What is scattered once by k out of the beam is the source. First the light diffuses: its flux is
-// the slope of its mean over 3 k, which is solved by lines. That is wrong in gaps and thin clouds; so then every cell looks round
+// METHOD. Turns that hardly change the way are not counted: of the extinction there remains the share 1 - m, m the mean cosine of the phase
+// function: k, and scattering by it is even (similarity; van de Hulst 1980). What is scattered once by k out of the beam is the source.
+// First the light diffuses: its flux is the slope of its mean over 3 k, which is solved by lines. That is wrong in gaps and thin clouds; so then every cell looks round
 // once along kWays ways and sums up what comes (one step of the source function's iteration, which in gaps is exact).
 // Two parts: of the light's beam, per unit of irradiance; and of a sky of 1 above with no light from below.
 #ifndef LUFTPOST_CLOUD_GLOW_GLSL

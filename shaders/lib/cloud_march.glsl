@@ -100,11 +100,11 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float c
     vec3 toward = there.toward;
     float toLight = depthToward(p, toward, first, lod) + there.overhead.sheets;
     float g = clouds.light.x, s = reducedShare(), ahead = glowAhead(g);
-    float height = (here.above + here.below) / max(here.core, kThinnest);
+    float core = max(here.core, kThinnest), height = (here.above + here.below) / core;
     float known = glowKnown(p) * mix(1.0, smoothstep(2.0, 6.0, height / glowStep()), smoothstep(kFineSlices, kThickSlices, glowStep()));
+    float up = abs(toward.y), narrow = narrowness(here.wide / core);
     float deeper = clamp(-ahead * direction.y, -here.above, here.below);
-    float up = abs(toward.y), narrow = narrowness(here.wide / max(here.core, kThinnest));
-    vec2 grid = glowAt(p + direction * (ahead / max(here.core, kThinnest)));
+    vec2 grid = glowAt(p + direction * (ahead / core));
     vec2 closed = closedGlow(max(toLight - ahead * cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
     closed.y *= diffused(0.5 * there.overhead.all, s);
     vec2 glow = mix(closed, grid * vec2(gridContrast(toLight, here.depth, narrow, up, s), diffused(0.5 * there.overhead.sheets, s)), known);
