@@ -154,9 +154,11 @@ void ReferenceClouds::boundCell(Grid& grid, std::size_t level, int layer, int co
         low = glm::min(low, v);
         high = glm::max(high, v);
     }
+    // Storms fill all slabs, which are then several cells high, and their turrets are as deep: there it takes as much more to be sure.
+    auto const across = static_cast<float>(s.body.z > 0.0f ? std::max(grid.cell, slab) : grid.cell);
     for (int i = 0; i < kSlabs; ++i) {
         Cell cell{slabBound(layer, low, high, least, lowest_ + i * slab), 0.0f};
-        if (!probes.empty() && cell.most > 0.0f) narrow(cell, probes.data() + column * (kSlabs + 1) + i, static_cast<float>(std::max(grid.cell, slab)));
+        if (!probes.empty() && cell.most > 0.0f) narrow(cell, probes.data() + column * (kSlabs + 1) + i, across);
         out[i].most += cell.most;
         out[i].sure += cell.sure;
     }
@@ -185,7 +187,7 @@ std::vector<ReferenceClouds::Probe> ReferenceClouds::probesOf(Grid const& grid, 
 }
 
 /// Narrows the bounds of a cell by what its middle and its corners have: deep in a cloud the least of that is sure, and far from all
-/// there is next to nothing. `across`: m, the longer of a cell's width and height. A bound that something breaks between them is still right in the mean (sky/path_tracer.h).
+/// there is next to nothing. `across`: m, how large a cell is for that. A bound that something breaks between them is still right in the mean (sky/path_tracer.h).
 void ReferenceClouds::narrow(Cell& cell, Probe const* first, float across) const {
     int const line = (static_cast<int>(ranks_[0].front().size()) / kCellTexels + 1) * (kSlabs + 1);
     Probe const* const middle = first + line;
