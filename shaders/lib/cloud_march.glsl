@@ -93,7 +93,7 @@ LightThere lightThere(vec3 p, vec3 direction, KeyLight key) {
 const float kThinnest = 0.005;  // 1/m: in thinner cloud the glow is asked for as near as in such one
 
 // m from slice to slice of the glow: where storms stand so high that slices are thick, what is lower than a few of them is lost in them.
-const float kFineSlices = 80.0, kThickSlices = 160.0;
+const float kFineSlices = 150.0, kThickSlices = 250.0;
 
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
 vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
@@ -106,7 +106,7 @@ vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float c
     float deeper = clamp(-ahead * direction.y, -here.above, here.below);
     vec2 grid = glowAt(p + direction * (ahead / core));
     vec2 closed = closedGlow(max(toLight - ahead * cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
-    closed.y *= diffused(0.5 * there.overhead.all, s);
+    closed *= vec2(diffused(there.overhead.all, s), diffused(0.5 * there.overhead.all, s));
     vec2 glow = mix(closed, grid * vec2(gridContrast(toLight, here.depth, narrow, up, s), diffused(0.5 * there.overhead.sheets, s)), known);
     return there.beam * (litByBeam(cosine, g, toLight, glow.x) * (1.0 - clouds.light.y * exp(-2.0 * here.depth))) +
            litBySky(there.around.above, there.around.below, glow.y);
