@@ -51,32 +51,32 @@ GLSL_FUNCTION float glowAhead(float g) {
 // Share of a flux that gets through optical depth t of a slab that absorbs nothing; `s`: 1 less the mean cosine.
 GLSL_FUNCTION float diffused(float t, float s) { return 1.0f / (1.0f + 0.75f * s * t); }
 
-GLSL_CONST float kForward = 1.9f;
-GLSL_CONST float kForwardTurns = 0.26f;  // per optical depth, beyond the two of the first; each widens the lobe by g
-GLSL_CONST float kForwardFade = 1.296f;  // per depth of even turns
-GLSL_CONST float kFew = 0.264f;
-GLSL_CONST float kFewLobe = 0.374f;  // asymmetry
-GLSL_CONST float kFewBack = 0.85f;    // of what still goes forward, how much is turned back
-GLSL_CONST float kFewFade = 2.0f;
-GLSL_CONST float kThinLess = 0.8f;  // a thin rim has less light than its parts would have within a cloud: by its transmittance
+GLSL_CONST float kForward = 1.89f;
+GLSL_CONST float kForwardTurns = 0.271f;  // per optical depth, beyond the two of the first; each widens the lobe by g
+GLSL_CONST float kForwardFade = 1.29f;  // per depth of even turns
+GLSL_CONST float kFew = 0.261f;
+GLSL_CONST float kFewLobe = 0.394f;  // asymmetry
+GLSL_CONST float kFewBack = 0.818f;    // of what still goes forward, how much is turned back
+GLSL_CONST float kFewFade = 1.76f;
+GLSL_CONST float kThinLess = 0.712f;  // a thin rim has less light than its parts would have within a cloud: by its transmittance
 
 // Of the glow's radiance and, for a sky, of what is above and below; theory has 1 for the three.
-GLSL_CONST float kGlow = 1.225f;
-GLSL_CONST float kGlowAbove = 1.244f;
-GLSL_CONST float kGlowBelow = 0.92f;
+GLSL_CONST float kGlow = 1.224f;
+GLSL_CONST float kGlowAbove = 1.232f;
+GLSL_CONST float kGlowBelow = 0.94f;
 
 // A grid smears the walls of what is narrow:
 GLSL_CONST float kWallWidth = 600.0f;  // m
-GLSL_CONST float kWallMore = 0.75f;  // so much more light there is,
-GLSL_CONST float kGlowFade = 0.25f;  // less of it on the far side, per depth of even turns toward the light,
-GLSL_CONST float kEdge = 0.109f;      // and so much less at a face, through what is finer than the grid,
-GLSL_CONST float kEdgeFade = 0.355f;  // where it ends that fast per optical depth
+GLSL_CONST float kWallMore = 0.718f;  // so much more light there is,
+GLSL_CONST float kGlowFade = 0.228f;  // less of it on the far side, per depth of even turns toward the light,
+GLSL_CONST float kEdge = 0.115f;      // and so much less at a face, through what is finer than the grid,
+GLSL_CONST float kEdgeFade = 0.333f;  // where it ends that fast per optical depth
 
 // The closed forms:
-GLSL_CONST float kSheet = 2.0f;     // how much sooner than by its shape a cloud counts as a sheet that is lit from above
-GLSL_CONST float kSides = 2.129f;   // loss through the sides, by depth over width
+GLSL_CONST float kSheet = 2.06f;     // how much sooner than by its shape a cloud counts as a sheet that is lit from above
+GLSL_CONST float kSides = 1.896f;   // loss through the sides, by depth over width
 GLSL_CONST float kSkySides = 0.9f;  // of the sky a narrow cloud gets a half, wherever in it
-GLSL_CONST float kRim = 0.4f;      // near any face light leaks out: so much of it at the face,
+GLSL_CONST float kRim = 0.433f;      // near any face light leaks out: so much of it at the face,
 GLSL_CONST float kRimFade = 1.76f;  // and how fast that ends
 
 // Share of a beam that land, aircraft and air get behind an optical depth: light scattered but a few degrees still falls like a
@@ -120,15 +120,30 @@ GLSL_FUNCTION float gridContrast(float toLight, float depth, float narrow, float
     return (1.0f + kWallMore * narrow) * (1.0f - kEdge * narrow * exp(-kEdgeFade * depth)) / (1.0f + kGlowFade * narrow * s * toLight * sqrt(up));
 }
 
+// What a ray's phase functions say, the same all along it. `cosine`: between the eye's ray and the way to the light.
+struct RayPhase {
+    float cosine;
+    float g;     // asymmetry of the droplets' forward lobe
+    float once;  // 1/sr: cloudPhase
+    float few;   // 1/sr: of light that was turned a few times, by its factor
+};
+
+GLSL_FUNCTION RayPhase rayPhase(float cosine, float g) {
+    RayPhase phase;
+    phase.cosine = cosine;
+    phase.g = g;
+    phase.once = cloudPhase(cosine, g);
+    phase.few = kFew * (henyeyGreenstein(cosine, kFewLobe) + kFewBack * henyeyGreenstein(cosine, kBackward));
+    return phase;
+}
+
 // Radiance per unit irradiance and per unit of optical depth passed, of a light at optical depth `toLight`, at a point where its glow is `glow`.
-// `cosine`: between the eye's ray and the way to the light.
-GLSL_FUNCTION float litByBeam(float cosine, float g, float toLight, float glow) {
-    float s = 1.0f - meanCosine(g);
+GLSL_FUNCTION float litByBeam(RayPhase phase, float toLight, float glow) {
+    float s = 1.0f - meanCosine(phase.g);
     float beam = exp(-toLight), met = 1.0f - beam;
-    float lobe = henyeyGreenstein(cosine, pow(g, 2.0f + kForwardTurns * toLight));
-    float forward = cloudPhase(cosine, g) * beam + kForward * met * met * exp(-kForwardFade * s * toLight) * lobe;
-    float few = kFew * met * exp(-kFewFade * s * toLight) * (henyeyGreenstein(cosine, kFewLobe) + kFewBack * henyeyGreenstein(cosine, kBackward));
-    return forward + few + kGlow * glow;
+    float lobe = henyeyGreenstein(phase.cosine, pow(phase.g, 2.0f + kForwardTurns * toLight));
+    float forward = kForward * met * met * exp(-kForwardFade * s * toLight) * lobe;
+    return phase.once * beam + forward + phase.few * met * exp(-kFewFade * s * toLight) + kGlow * glow;
 }
 
 // Of diffuse light, the same: `fromAbove`, `fromBelow` are mean radiances of the upper and the lower half of the sphere, as a level plane

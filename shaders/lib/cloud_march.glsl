@@ -96,19 +96,19 @@ const float kThinnest = 0.005;  // 1/m: in thinner cloud the glow is asked for a
 const float kFineSlices = 150.0, kThickSlices = 250.0;
 
 /// Radiance per optical depth at a sample. `first`: m, the nearest stretch of its way to the light.
-vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, float cosine, float lod, float first) {
+vec3 lightAt(vec3 p, LightThere there, CloudSample here, vec3 direction, RayPhase phase, float lod, float first) {
     vec3 toward = there.toward;
     float toLight = depthToward(p, toward, first, lod) + there.overhead.sheets;
-    float g = clouds.light.x, s = reducedShare(), ahead = glowAhead(g);
+    float s = reducedShare(), ahead = glowAhead(phase.g);
     float core = max(here.core, kThinnest), height = (here.above + here.below) / core;
     float known = glowKnown(p) * mix(1.0, smoothstep(2.0, 6.0, height / glowStep()), smoothstep(kFineSlices, kThickSlices, glowStep()));
     float up = abs(toward.y), narrow = narrowness(here.wide / core);
     float deeper = clamp(-ahead * direction.y, -here.above, here.below);
     vec2 grid = glowAt(p + direction * (ahead / core));
-    vec2 closed = closedGlow(max(toLight - ahead * cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
+    vec2 closed = closedGlow(max(toLight - ahead * phase.cosine, 0.0), here.above + deeper, here.below - deeper, here.wide, here.depth, up, s);
     closed *= vec2(diffused(there.overhead.all, s), diffused(0.5 * there.overhead.all, s));
     vec2 glow = mix(closed, grid * vec2(gridContrast(toLight, here.depth, narrow, up, s), diffused(0.5 * there.overhead.sheets, s)), known);
-    return there.beam * (litByBeam(cosine, g, toLight, glow.x) * (1.0 - clouds.light.y * exp(-2.0 * here.depth))) +
+    return there.beam * (litByBeam(phase, toLight, glow.x) * (1.0 - clouds.light.y * exp(-2.0 * here.depth))) +
            litBySky(there.around.above, there.around.below, glow.y);
 }
 
@@ -137,7 +137,7 @@ MarchResult sheetAt(int layer, vec3 direction, float t, float share, KeyLight ke
     float depth = share * straight / slope;
     float g = kIceShare * clouds.light.x, s = 1.0 - meanCosine(g);
     vec2 glow = vec2(slabGlow(0.5 * s * straight, s * straight, max(abs(there.toward.y), 0.1)), 0.5);
-    vec3 light = there.beam * litByBeam(dot(direction, key.toward), g, toLight, glow.x) +
+    vec3 light = there.beam * litByBeam(rayPhase(dot(direction, key.toward), g), toLight, glow.x) +
                  litBySky(there.around.above, there.around.below, glow.y);
     MarchResult result;
     result.through = exp(-depth);
@@ -340,7 +340,7 @@ struct Gathered {
 /// stands for it, and says how long the next one may be.
 void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gathered sum) {
     LightThere there = lightThere(placeAt(direction, walk.t, h), direction, key);
-    float cosine = dot(direction, key.toward);
+    RayPhase phase = rayPhase(dot(direction, key.toward), clouds.light.x);
     float shortest = max(10.0, 0.0015 * walk.t);
     float length = min(walk.stride > 0.0 ? 2.0 * shortest : shortest, longestStep(walk.t));
     bool inside = true;
@@ -356,7 +356,7 @@ void passCloud(vec3 direction, float h, KeyLight key, inout Walk walk, inout Gat
         float weight = sum.ray.through * (1.0 - kept);
         // What little still reaches the eye needs no near billows on its way to the light.
         float first = clamp(1.5 * middle * frame.projection.w / max(sum.ray.through, 0.25), 25.0, 240.0);
-        if (inside) sum.ray.light += weight * lightAt(p, there, here, direction, cosine, lodAt(walk.t, length), first);
+        if (inside) sum.ray.light += weight * lightAt(p, there, here, direction, phase, lodAt(walk.t, length), first);
         sum.ray.distance += weight * middle;
         sum.weights += weight;
         sum.ray.through *= kept;

@@ -81,17 +81,16 @@ CloudSample layerAt(int layer, vec3 p, float lod) {
     return near;
 }
 
-bool layerReaches(int layer, float y) {
-    vec4 extent = clouds.shapes[layer].extent;
-    return extent.z > 0.5 && clouds.shapes[layer].look.z < 0.5 && y > extent.x && y < extent.y;
-}
-
-/// The layers with a body that reach an altitude, one bit each.
-int layersAt(float y) {
+/// The layers with a body that reach into what lies between two altitudes, one bit each.
+int layersBetween(float low, float high) {
     int bits = 0;
-    for (int layer = 0; layer < kCloudLayers; ++layer) bits |= layerReaches(layer, y) ? 1 << layer : 0;
+    for (int layer = 0; layer < kCloudLayers; ++layer) {
+        vec4 extent = clouds.shapes[layer].extent;
+        bits |= extent.z > 0.5 && clouds.shapes[layer].look.z < 0.5 && high > extent.x && low < extent.y ? 1 << layer : 0;
+    }
     return bits;
 }
+int layersAt(float y) { return layersBetween(y, y); }
 
 /// The layers of `bits` (not the sheets of fibres) at a place; depths weighted by extinction.
 CloudSample cloudOf(int bits, vec3 p, float lod) {
@@ -225,7 +224,8 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
     float leaves = (highestTop() - p.y) / max(toward.y, 1e-3);  // m, to where no cloud is
     if (grid < 2) leaves = min(leaves, max(kNearWay, 0.7 * sliceWay(toward)));
     float blur = log2(max(first * (1.0 / 32.0), 2.0));
-    float sum = cloudAt(p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
+    int bits = layersBetween(p.y, p.y + max(leaves, first) * max(toward.y, 0.0));
+    float sum = cloudOf(bits, p + toward * (0.5 * first) + side * (0.06 * first), max(blur, lod)).extinction * first;
     float start = first;
     float stretch = kConeGrowth * first;
     int i = 1;
@@ -234,7 +234,7 @@ float depthToward(vec3 p, vec3 toward, float first, float lod) {
         float at = start + 0.5 * stretch;
         float angle = 2.39996 * float(i);  // the golden angle strews them round the cone
         vec3 sideways = (side * cos(angle) + other * sin(angle)) * (0.12 * at);
-        sum += cloudAt(p + toward * at + sideways, kCoarseLod).extinction * stretch;
+        sum += cloudOf(bits, p + toward * at + sideways, kCoarseLod).extinction * stretch;
         start += stretch;
         stretch *= kConeGrowth;
         ++i;

@@ -352,7 +352,7 @@ constexpr float kEvenTurns = 0.2f;  // 1 less the mean cosine
 
 TEST(CloudLight, LeavesTheDarkFaceOfASlabAFewthOfTheLitOneAndOfANarrowCloudLess) {
     auto const lit = [](float toLight, float wide) {
-        return glsl::litByBeam(0.0f, 0.85f, toLight, glsl::closedGlow(toLight, toLight, 60.0f - toLight, wide, 6.0f, 1.0f, kEvenTurns).x);
+        return glsl::litByBeam(glsl::rayPhase(0.0f, 0.85f), toLight, glsl::closedGlow(toLight, toLight, 60.0f - toLight, wide, 6.0f, 1.0f, kEvenTurns).x);
     };
     EXPECT_GT(lit(0.5f, 600.0f) / lit(59.5f, 600.0f), 4.0f);
     EXPECT_LT(lit(0.5f, 600.0f) / lit(59.5f, 600.0f), 16.0f);
@@ -379,7 +379,7 @@ TEST(CloudLight, PutsRightWhatAGridSmears) {
 }
 
 TEST(CloudLight, IsLessTheDeeperTowardTheLightAndInProportionToTheGlow) {
-    auto const lit = [](float toLight, float glow) { return glsl::litByBeam(0.0f, 0.85f, toLight, glow); };
+    auto const lit = [](float toLight, float glow) { return glsl::litByBeam(glsl::rayPhase(0.0f, 0.85f), toLight, glow); };
     for (float t = 4.5f; t < 40.0f; t += 4.0f) EXPECT_GT(lit(t, 0.05f), lit(t + 4.0f, 0.05f));
     EXPECT_NEAR(lit(3.0f, 0.10f) - lit(3.0f, 0.05f), glsl::kGlow * 0.05f, 1e-5f);
     EXPECT_LT(lit(900.0f, 0.0f), 1e-6f);
