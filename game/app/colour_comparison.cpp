@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include "engine/assets/image_mean.h"
 #include "engine/core/check.h"
 
 namespace luftpost::app {
@@ -17,13 +18,11 @@ constexpr double kBin = 10.0;
 constexpr int kLightBins = 11, kHueBins = 21;
 constexpr int kFine = 256;  // bins of one coordinate for the distance
 
-double linear(double encoded) { return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4); }
-
 double curve(double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; }
 
 /// L*, a*, b* of display-encoded sRGB, white D65 (IEC 61966-2-1, CIE 15).
 glm::dvec3 labOf(std::uint8_t const* rgb) {
-    glm::dvec3 const c{linear(rgb[0] / 255.0), linear(rgb[1] / 255.0), linear(rgb[2] / 255.0)};
+    glm::dvec3 const c{assets::linearOf(rgb[0] / 255.0), assets::linearOf(rgb[1] / 255.0), assets::linearOf(rgb[2] / 255.0)};
     double const x = curve((0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z) / 0.95047);
     double const y = curve(0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z);
     double const z = curve((0.0193 * c.x + 0.1192 * c.y + 0.9505 * c.z) / 1.08883);

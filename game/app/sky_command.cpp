@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/assets/image_mean.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/core/time.h"
@@ -38,11 +39,12 @@ constexpr int kLargestWhole = 4096;      // pixels a side that are drawn at once
 constexpr int kLargestMeasured = 2048;   // pixels a side of the picture that tiles take exposure and glow from
 constexpr long long kMostFrames = 100000;
 constexpr long long kMostSamples = 1 << 24;
+constexpr int kMostAcross = 8;  // rays for a pixel, each way
 constexpr unsigned kUsualSeed = 1;
 
 /// The command's own options as the command line has them.
 struct SkyTexts {
-    std::string look, fov, exposure, frames, step, plan, reference;
+    std::string look, fov, exposure, frames, step, plan, reference, supersample;
     fs::path output, photo, beside, onto;
     bool panorama = false;
     bool dome = false;
@@ -61,6 +63,7 @@ struct SkyRequest {
     double plan_km = 0.0;  // 0: a picture, else the plan of a square this wide
     int samples = 0;       // 0: as the game draws it, else so many paths for every pixel,
     fs::path onto;         // added to those of this picture
+    int raysAcross = 1;    // for a pixel, which is the mean of so many squared
     std::vector<assets::PhotoFile> photos;  // to be compared with
     fs::path beside;                        // picture and photograph side by side
 };
@@ -122,6 +125,12 @@ void readReference(SkyRequest& request, SkyTexts const& texts) {
     request.onto = texts.onto;
 }
 
+void readSupersample(SkyRequest& request, SkyTexts const& texts) {
+    if (texts.supersample.empty()) return;
+    if (!(texts.plan.empty() && texts.reference.empty())) throw core::Error{"--supersample", "", "expected not together with --plan or --reference"};
+    request.raysAcross = static_cast<int>(wholeOption("--supersample", texts.supersample, 1, kMostAcross));
+}
+
 /// The photographs are read and refused here, before anything is drawn; which one is nearest is seen frame by frame.
 void readPhotos(SkyRequest& request, SkyTexts const& texts) {
     if (texts.photo.empty()) {
@@ -156,6 +165,7 @@ SkyRequest skyRequest(SkyTexts const& texts) {
     core::checkOutputFolder("-o", request.output);
     readPlan(request, texts);
     readReference(request, texts);
+    readSupersample(request, texts);
     readPhotos(request, texts);
     return request;
 }
@@ -305,7 +315,10 @@ glm::ivec2 wholeSize(SkyRequest const& request, glm::ivec2 size) {
 
 /// Frames as the game draws them.
 void drawFrames(SkyRequest const& request, Scene const& scene, CommonOptions const& common) {
-    glm::ivec2 const whole = wholeSize(request, common.size);
+    int const across = request.raysAcross;
+    if (across > 1 && std::max(common.size.x, common.size.y) * across > kLargestWhole)
+        throw core::Error{"--supersample", "", fmt::format("expected at most {} pixels a side, N times --size, found {} times {}x{}", kLargestWhole, across, common.size.x, common.size.y)};
+    glm::ivec2 const whole = wholeSize(request, across * common.size);
     auto const surface = platform::openHeadless(whole);
     gl::prepareContext();
     render::Renderer renderer{{.size = whole}};
@@ -314,10 +327,10 @@ void drawFrames(SkyRequest const& request, Scene const& scene, CommonOptions con
         render::Snapshot const snapshot = snapshotOf(request, scene, common, static_cast<double>(frame) * request.step);
         renderer.draw(snapshot);
         if (byTiles(request, common.size)) render::TiledPicture{renderer, snapshot, common.size, fileOfFrame(request, request.output, frame)}.finish();
-        else if (files.linear()) files.add(renderer.readHdr(), frame);
-        else files.add(renderer.readPixels(), frame);
+        else if (files.linear()) files.add(assets::meanOf(renderer.readHdr(), across), frame);
+        else files.add(assets::meanOf(renderer.readPixels(), across), frame);
         if (!request.photos.empty())
-            compareWithPhoto(request, renderer.readPixels(), frame, scene.start + static_cast<double>(frame) * request.step);
+            compareWithPhoto(request, assets::meanOf(renderer.readPixels(), across), frame, scene.start + static_cast<double>(frame) * request.step);
     }
     files.finish();
 }
@@ -347,6 +360,7 @@ void addSkyCommand(CLI::App& app, CommonOptions const& common, Chosen& chosen) {
     sky->add_flag("--panorama", texts->panorama, "the whole sphere, equirectangular, north at the left edge");
     sky->add_flag("--dome", texts->dome, "the upper half, equal area, north up, east left");
     sky->add_option("-o", texts->output, "FILE.png (tone-mapped) or FILE.exr (scene-linear); of a time lapse also FILE.mp4, .mkv, .webm, by ffmpeg");
+    sky->add_option("--supersample", texts->supersample, "N, 1..8: draws it N times as large each way; a pixel is the mean, and edges are smooth");
     sky->add_option("--plan", texts->plan, "KM: instead of a picture, the clouds' vertical optical depth over a square, north up");
     sky->add_option("--reference", texts->reference, "SPP: path-traced, with so many paths for each pixel; needs no OpenGL");
     sky->add_option("--onto", texts->onto, "FILE.exr: with --reference, adds its paths to those of a picture of the same sky that it made before");

@@ -41,6 +41,9 @@ TEST(BadInput, IsFoundInTheReference) {
     expectRefused("sky --reference 4 --onto " + (scratch() / "none.exr").string() + " " + out, {"none.exr"});
     expectRefused("sky --reference 4 --onto a.exr --frames 0:1 " + out, {"--onto", "one picture"});
     expectRefused("sky -o " + (scratch() / "f.mp4").string(), {"f.mp4", "--frames"});
+    expectRefused("sky --supersample 9 " + out, {"--supersample", "1..8", "9"});
+    expectRefused("sky --supersample 2 --reference 4 " + out, {"--supersample", "--reference"});
+    expectRefused("sky --supersample 4 --size 1280x720 " + out, {"--supersample", "4096", "4 times 1280x720"});
     auto const asked = [](std::string const& name, std::string const& text) {
         path const file = scratch() / (name + ".json");
         writeText(file, text);

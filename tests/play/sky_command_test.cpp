@@ -72,6 +72,22 @@ TEST(SkyCommand, DrawsTheSameBytesTwice) {
     EXPECT_EQ(picture("a.png").height, 36);
 }
 
+TEST(SkyCommand, SupersamplesToTheMeanOfALargerPicture) {
+    std::string const view = "--time 2023-06-21T11:30Z --look 300,3 ";
+    ASSERT_EQ(run(still("small.exr", view + "--supersample 2")).code, 0);
+    ASSERT_EQ(run(still("large.exr", view, "128x72")).code, 0);
+    Picture const small = picture("small.exr"), large = picture("large.exr");
+    ASSERT_EQ(small.width, 64);
+    ASSERT_EQ(small.height, 36);
+    ASSERT_EQ(large.width, 128);
+    for (int y = 0; y < 36; y += 5)
+        for (int x = 0; x < 64; x += 3)
+            for (int c = 0; c < 4; ++c) {
+                float const mean = 0.25f * (large.at(2 * x, 2 * y, c) + large.at(2 * x + 1, 2 * y, c) + large.at(2 * x, 2 * y + 1, c) + large.at(2 * x + 1, 2 * y + 1, c));
+                ASSERT_NEAR(small.at(x, y, c), mean, 1e-4f + 1e-4f * mean) << x << ' ' << y << ' ' << c;
+            }
+}
+
 TEST(SkyCommand, DarkensFromNoonToDuskAndShowsWhatTheExposureAsksFor) {
     ASSERT_EQ(run(still("dusk.exr", "--time 2023-06-21T20:10Z --look 310,30")).code, 0);
     ASSERT_EQ(run(still("day.exr", "--time 2023-06-21T11:30Z --look 310,30")).code, 0);
